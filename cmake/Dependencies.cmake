@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: 2026 The Enfilade authors
+# SPDX-License-Identifier: Apache-2.0
+# Everything comes from Debian packages (scripts/install_deps.sh); docs/decisions says why each one.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(CGAL REQUIRED)
+find_package(Boost REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
+pkg_check_modules(geos REQUIRED IMPORTED_TARGET geos)
+find_package(CLI11 REQUIRED)
+if(ENFILADE_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(ENFILADE_BUILD_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "enfilade/geometry/polygon2.h"
+#include "enfilade/geometry/rigid3.h"
+
+namespace enfilade {
+
+/// A room: the region inside its walls' inner faces, in the home frame.
+struct Room {
+  int id = 0;
+  Polygon2 polygon;
+  double floor_z = 0;
+  double ceiling_z = 0;
+  double area_sigma_m2 = 0;
+};
+
+enum class WallSeen { kSeen, kPartly, kInferred };
+[[nodiscard]] std::span<const std::string_view> EnumNames(WallSeen);
+
+/// A wall face from a to b, the room on its left.
+struct Wall {
+  int id = 0;
+  Eigen::Vector2d a, b;
+  int room_id = 0;                   ///< on the left of a → b
+  std::optional<int> other_room_id;  ///< behind it
+  double thickness_m = 0;
+  bool is_thickness_measured = false;
+  WallSeen seen = WallSeen::kSeen;
+  double sigma_m = 0;                ///< standard deviation of its offset
+};
+
+enum class OpeningKind { kDoor, kOpening, kWindow };
+[[nodiscard]] std::span<const std::string_view> EnumNames(OpeningKind);
+
+struct Opening {
+  int id = 0;
+  OpeningKind kind = OpeningKind::kDoor;
+  int wall_id = 0;
+  Eigen::Vector2d a, b;
+  double sill_z = 0;
+  double head_z = 0;
+  int room_id = 0;
+  std::optional<int> other_room_id;
+};
+
+struct Storey {
+  int id = 0;
+  double floor_z = 0;
+  std::vector<Room> rooms;
+  std::vector<Wall> walls;
+  std::vector<Opening> openings;
+};
+
+/// Where a picture was taken.
+struct PlanCamera {
+  std::string picture;
+  std::string sha256;
+  int storey_idx = 0;
+  int component_idx = 0;
+  bool is_inferred = false;
+  Rigid3 world_from_cam;
+};
+
+/// The measured plan: lengths in metres, polygons in the home frame.
+struct Floorplan {
+  Rigid3 home_from_world;
+  std::vector<Storey> storeys;
+  std::vector<PlanCamera> cameras;
+};
+
+}  // namespace enfilade

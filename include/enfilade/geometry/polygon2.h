@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace enfilade {
+
+/// A closed ring of vertices, implicitly closed, no repeated vertex.
+using Ring2 = std::vector<Eigen::Vector2d>;
+
+/// A region of the plane: outer ring counter-clockwise, holes clockwise.
+struct Polygon2 {
+  Ring2 outer;
+  std::vector<Ring2> holes;
+};
+
+/// A region of several parts, disjoint but for shared points.
+using MultiPolygon2 = std::vector<Polygon2>;
+
+/// Signed area, positive when counter-clockwise (shoelace formula).
+[[nodiscard]] double SignedArea(const Ring2& ring);
+/// Area of the outer ring less the holes.
+[[nodiscard]] double Area(const Polygon2& polygon);
+[[nodiscard]] double Area(const MultiPolygon2& region);
+[[nodiscard]] double Perimeter(const Ring2& ring);
+
+/// True when `p` lies inside (crossing number; points on the boundary may go either way).
+[[nodiscard]] bool Contains(const Ring2& ring, const Eigen::Vector2d& p);
+[[nodiscard]] bool Contains(const Polygon2& polygon, const Eigen::Vector2d& p);
+
+/// Distance from `p` to the segment ab.
+[[nodiscard]] double DistanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                                       const Eigen::Vector2d& b);
+
+/// Distance along the unit `direction` from `origin` to the first crossing of the ring; infinity
+/// when there is none.
+[[nodiscard]] double RayDistance(const Ring2& ring, const Eigen::Vector2d& origin,
+                                 const Eigen::Vector2d& direction);
+
+/// The ring without vertices that repeat their predecessor within `tolerance_m` or lie on the
+/// straight line between their neighbours within it.
+[[nodiscard]] Ring2 RemoveCollinear(const Ring2& ring, double tolerance_m = 1e-9);
+
+/// True when the ring has at least three vertices and no two edges touch but neighbours at their
+/// shared vertex. Cost O(n²).
+[[nodiscard]] bool IsSimple(const Ring2& ring);
+
+/// Geometry as text, for tests: "0,0 4,0 4,3 0,3". Throws std::logic_error on malformed text.
+[[nodiscard]] Ring2 ParseRing(std::string_view text);
+[[nodiscard]] std::string RingToText(const Ring2& ring);
+
+}  // namespace enfilade

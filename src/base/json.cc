@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/base/json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/base/file.h"
+
+namespace enfilade {
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& Member(const Json& object, const char* key, const std::string& where,
+                   bool (Json::*is_right)() const noexcept, const char* type) {
+  const auto it = object.is_object() ? object.find(key) : object.end();
+  if (it == object.end()) {
+    throw InvalidInputError(where, std::string("key '") + key + "' is missing",
+                            "check that the file is complete");
+  }
+  if (!((*it).*is_right)()) {
+    throw InvalidInputError(where, std::string("key '") + key + "' is " + it->type_name(),
+                            std::string("make it ") + type);
+  }
+  return *it;
+}
+
+}  // namespace
+
+Json ReadJsonFile(const std::filesystem::path& path, uint64_t max_bytes) {
+  const std::string text = ReadFile(path, max_bytes);
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const size_t end = std::min(error.byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    throw InvalidInputError(path.native(), "is no valid JSON (line " + std::to_string(line) + ")",
+                            text.empty() ? "the file is empty" : "check that the file is complete");
+  }
+}
+
+void WriteJsonFile(const std::filesystem::path& path, const Json& json) {
+  WriteFileAtomic(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+double JsonNumber(const Json& object, const char* key, const std::string& where) {
+  const double value = Member(object, key, where, &Json::is_number, "a number").get<double>();
+  if (!std::isfinite(value)) {
+    throw InvalidInputError(where, std::string("key '") + key + "' is not finite", "make it a number");
+  }
+  return value;
+}
+
+int64_t JsonInteger(const Json& object, const char* key, const std::string& where) {
+  return Member(object, key, where, &Json::is_number_integer, "a whole number").get<int64_t>();
+}
+
+std::string JsonString(const Json& object, const char* key, const std::string& where) {
+  return Member(object, key, where, &Json::is_string, "a string").get<std::string>();
+}
+
+const Json& JsonArray(const Json& object, const char* key, const std::string& where) {
+  return Member(object, key, where, &Json::is_array, "an array");
+}
+
+const Json& JsonObject(const Json& object, const char* key, const std::string& where) {
+  return Member(object, key, where, &Json::is_object, "an object");
+}
+
+}  // namespace enfilade

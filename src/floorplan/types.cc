@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/floorplan/types.h"
+
+namespace enfilade {
+
+std::span<const std::string_view> EnumNames(WallSeen) {
+  static constexpr std::array<std::string_view, 3> kNames = {"seen", "partly", "inferred"};
+  return kNames;
+}
+
+std::span<const std::string_view> EnumNames(OpeningKind) {
+  static constexpr std::array<std::string_view, 3> kNames = {"door", "opening", "window"};
+  return kNames;
+}
+
+}  // namespace enfilade
