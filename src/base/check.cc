@@ -5,7 +5,8 @@
 namespace enfilade {
 
 void FailCheck(const char* file, int line, const char* condition, const std::string& detail) {
-  std::string message = std::string(file) + ":" + std::to_string(line) + ": check failed: " + condition;
+  std::string message =
+      std::string(file) + ":" + std::to_string(line) + ": check failed: " + condition;
   if (!detail.empty()) message += " (" + detail + ")";
   throw std::logic_error(message);
 }

@@ -52,7 +52,8 @@ std::string Sha256OfFile(const std::filesystem::path& path) {
     file.read(block.data(), block.size());
     hasher.Add({block.data(), static_cast<size_t>(file.gcount())});
   }
-  if (!file.eof()) throw IoError(path.native(), "cannot be read", "check that it is a readable file");
+  if (!file.eof())
+    throw IoError(path.native(), "cannot be read", "check that it is a readable file");
   return hasher.Finish();
 }
 

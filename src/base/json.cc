@@ -36,7 +36,8 @@ Json ReadJsonFile(const std::filesystem::path& path, uint64_t max_bytes) {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     const size_t end = std::min(error.byte, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     throw InvalidInputError(path.native(), "is no valid JSON (line " + std::to_string(line) + ")",
                             text.empty() ? "the file is empty" : "check that the file is complete");
   }
@@ -49,7 +50,8 @@ void WriteJsonFile(const std::filesystem::path& path, const Json& json) {
 double JsonNumber(const Json& object, const char* key, const std::string& where) {
   const double value = Member(object, key, where, &Json::is_number, "a number").get<double>();
   if (!std::isfinite(value)) {
-    throw InvalidInputError(where, std::string("key '") + key + "' is not finite", "make it a number");
+    throw InvalidInputError(where, std::string("key '") + key + "' is not finite",
+                            "make it a number");
   }
   return value;
 }

@@ -17,10 +17,14 @@ class NullLog final : public Log {
 
 spdlog::level::level_enum ToSpdlog(LogLevel level) {
   switch (level) {
-    case LogLevel::kDebug: return spdlog::level::debug;
-    case LogLevel::kInfo: return spdlog::level::info;
-    case LogLevel::kWarning: return spdlog::level::warn;
-    case LogLevel::kError: return spdlog::level::err;
+    case LogLevel::kDebug:
+      return spdlog::level::debug;
+    case LogLevel::kInfo:
+      return spdlog::level::info;
+    case LogLevel::kWarning:
+      return spdlog::level::warn;
+    case LogLevel::kError:
+      return spdlog::level::err;
   }
   return spdlog::level::info;
 }
@@ -28,8 +32,7 @@ spdlog::level::level_enum ToSpdlog(LogLevel level) {
 class StderrLog final : public Log {
  public:
   StderrLog(LogLevel min_level, LogFormat format)
-      : format_(format),
-        logger_("enfilade", std::make_shared<spdlog::sinks::stderr_sink_mt>()) {
+      : format_(format), logger_("enfilade", std::make_shared<spdlog::sinks::stderr_sink_mt>()) {
     logger_.set_level(ToSpdlog(min_level));
     logger_.flush_on(spdlog::level::trace);
     logger_.set_pattern(format == LogFormat::kJson
@@ -40,10 +43,12 @@ class StderrLog final : public Log {
   void Write(LogLevel level, std::string_view message) override {
     if (format_ == LogFormat::kJson) {
       using Json = nlohmann::json;
-      const std::string quoted = Json(std::string(message)).dump(-1, ' ', false, Json::error_handler_t::replace);
+      const std::string quoted =
+          Json(std::string(message)).dump(-1, ' ', false, Json::error_handler_t::replace);
       logger_.log(ToSpdlog(level), "{}", quoted);
     } else if (level >= LogLevel::kWarning) {
-      logger_.log(ToSpdlog(level), "{}: {}", level == LogLevel::kError ? "error" : "warning", message);
+      logger_.log(ToSpdlog(level), "{}: {}", level == LogLevel::kError ? "error" : "warning",
+                  message);
     } else {
       logger_.log(ToSpdlog(level), "{}", message);
     }

@@ -20,7 +20,9 @@ using Json = nlohmann::json;
 // Keeps track of the dotted path while a visit descends into groups.
 class PathVisitor : public OptionVisitor {
  protected:
-  [[nodiscard]] std::string Path(std::string_view name) const { return prefix_ + std::string(name); }
+  [[nodiscard]] std::string Path(std::string_view name) const {
+    return prefix_ + std::string(name);
+  }
   void BeginGroup(std::string_view name, std::string_view) override {
     prefix_ += std::string(name) + ".";
   }
@@ -46,7 +48,8 @@ class ListVisitor final : public PathVisitor {
   void VisitInt(std::string_view name, int& value, std::string_view help, Range range) override {
     Add(name, "int", std::to_string(value), help, range, {});
   }
-  void VisitReal(std::string_view name, double& value, std::string_view help, Range range) override {
+  void VisitReal(std::string_view name, double& value, std::string_view help,
+                 Range range) override {
     Add(name, "real", FormatReal(value), help, range, {});
   }
   void VisitText(std::string_view name, std::string& value, std::string_view help) override {
@@ -188,9 +191,9 @@ size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::string> paths;
   for (const OptionInfo& info : infos) paths.push_back(info.path);
   const std::string nearest = NearestWord(path, paths);
-  throw InvalidInputError(where, "there is no option '" + std::string(path) + "'",
-                          nearest.empty() ? "'enfilade config' lists all options"
-                                          : "did you mean '" + nearest + "'?");
+  throw InvalidInputError(
+      where, "there is no option '" + std::string(path) + "'",
+      nearest.empty() ? "'enfilade config' lists all options" : "did you mean '" + nearest + "'?");
 }
 
 const OptionInfo& FindOption(const std::vector<OptionInfo>& infos, std::string_view path,
@@ -231,7 +234,8 @@ Json OptionsToJson(const VisitFunction& options) {
 }
 
 void OptionsFromJson(const VisitFunction& options, const Json& json, const std::string& where) {
-  if (!json.is_object()) throw InvalidInputError(where, "options are no JSON object", "see 'enfilade config'");
+  if (!json.is_object())
+    throw InvalidInputError(where, "options are no JSON object", "see 'enfilade config'");
   std::vector<std::pair<std::string, const Json*>> leaves;
   Flatten(json, "", leaves);
   const std::vector<OptionInfo> infos = ListOptions(options);

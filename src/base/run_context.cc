@@ -48,8 +48,9 @@ class ProgressCounter {
 }  // namespace
 
 RunContext::RunContext(int num_threads, uint64_t seed, int max_memory_mb)
-    : num_threads_(num_threads > 0 ? num_threads
-                                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+    : num_threads_(num_threads > 0
+                       ? num_threads
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
       seed_(seed),
       max_memory_mb_(max_memory_mb),
       log_(MakeNullLog()) {

@@ -79,8 +79,8 @@ class Geos {
     for (const Ring2& hole : polygon.holes) {
       if (hole.size() >= 3) holes.push_back(FromRing(hole));
     }
-    const Geometry raw = Own(GEOSGeom_createPolygon_r(context_, FromRing(polygon.outer), holes.data(),
-                                                      static_cast<unsigned>(holes.size())));
+    const Geometry raw = Own(GEOSGeom_createPolygon_r(
+        context_, FromRing(polygon.outer), holes.data(), static_cast<unsigned>(holes.size())));
     return Own(GEOSMakeValid_r(context_, raw.get()));
   }
 

@@ -85,7 +85,8 @@ bool Contains(const Polygon2& polygon, const Vector2d& p) {
 double DistanceToSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const Vector2d ab = b - a;
   const double squared_length = ab.squaredNorm();
-  const double t = squared_length > 0 ? std::clamp((p - a).dot(ab) / squared_length, 0.0, 1.0) : 0.0;
+  const double t =
+      squared_length > 0 ? std::clamp((p - a).dot(ab) / squared_length, 0.0, 1.0) : 0.0;
   return (p - a - t * ab).norm();
 }
 

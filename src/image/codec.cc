@@ -18,7 +18,9 @@ constexpr int64_t kMaxPixels = int64_t{1} << 28;
 constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 
 uint8_t Byte(std::string_view bytes, size_t i) { return static_cast<uint8_t>(bytes[i]); }
-int BigEndian16(std::string_view bytes, size_t i) { return Byte(bytes, i) << 8 | Byte(bytes, i + 1); }
+int BigEndian16(std::string_view bytes, size_t i) {
+  return Byte(bytes, i) << 8 | Byte(bytes, i + 1);
+}
 
 // Walks the marker segments up to the frame header (ITU T.81, B.2.2).
 ImageSize JpegSize(std::string_view bytes) {
@@ -30,7 +32,8 @@ ImageSize JpegSize(std::string_view bytes) {
       ++i;
       continue;
     }
-    const bool is_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+    const bool is_frame =
+        marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
     if (is_frame) return {BigEndian16(bytes, i + 7), BigEndian16(bytes, i + 5)};
     i += 2 + static_cast<size_t>(BigEndian16(bytes, i + 2));
   }
@@ -109,7 +112,8 @@ std::string EncodeImage(const ImageU8& image, std::string_view extension, int jp
     mat = bgr;
   }
   std::vector<uint8_t> bytes;
-  ENFILADE_CHECK(cv::imencode(std::string(extension), mat, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality}));
+  ENFILADE_CHECK(
+      cv::imencode(std::string(extension), mat, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality}));
   return {bytes.begin(), bytes.end()};
 }
 

@@ -26,7 +26,8 @@ std::optional<Vector2d> Camera::PixelFromRay(const Vector3d& ray) const {
   if (model == CameraModel::kPinhole) {
     if (ray.z() <= 0) return std::nullopt;
     const Vector2d pixel(fx * ray.x() / ray.z() + cx, fy * ray.y() / ray.z() + cy);
-    if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= width || pixel.y() >= height) return std::nullopt;
+    if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= width || pixel.y() >= height)
+      return std::nullopt;
     return pixel;
   }
   const double theta = std::atan2(ray.x(), ray.z());

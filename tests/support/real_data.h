@@ -18,6 +18,6 @@ inline std::filesystem::path RealDataFolder() {
 }  // namespace enfilade
 
 /// Skips the test with a message where the real data `name` is absent.
-#define ENFILADE_REQUIRE_REAL_DATA(name)                                                  \
-  if (!std::filesystem::exists(::enfilade::RealDataFolder() / (name)))                    \
+#define ENFILADE_REQUIRE_REAL_DATA(name)                               \
+  if (!std::filesystem::exists(::enfilade::RealDataFolder() / (name))) \
   GTEST_SKIP() << "real data '" << (name) << "' is absent; set ENFILADE_DATA to run this test"

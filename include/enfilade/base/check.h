@@ -14,13 +14,13 @@ namespace enfilade {
 }  // namespace enfilade
 
 /// Checks an invariant or a precondition. A violation is a bug in the caller or in this library.
-#define ENFILADE_CHECK(condition)                                         \
-  do {                                                                    \
+#define ENFILADE_CHECK(condition)                                            \
+  do {                                                                       \
     if (!(condition)) ::enfilade::FailCheck(__FILE__, __LINE__, #condition); \
   } while (false)
 
 /// As ENFILADE_CHECK, with a std::string that tells the offending values.
-#define ENFILADE_CHECK_MSG(condition, detail)                                      \
-  do {                                                                             \
+#define ENFILADE_CHECK_MSG(condition, detail)                                        \
+  do {                                                                               \
     if (!(condition)) ::enfilade::FailCheck(__FILE__, __LINE__, #condition, detail); \
   } while (false)

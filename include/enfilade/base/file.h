@@ -13,9 +13,9 @@ namespace enfilade {
 
 /// The whole content of a regular file.
 ///
-/// Throws IoError when the file is missing, no regular file or unreadable, InvalidInputError when it
-/// is larger than `max_bytes`: readers of text formats pass a bound so that a wrong file named by
-/// mistake fails at once.
+/// Throws IoError when the file is missing, no regular file or unreadable, InvalidInputError when
+/// it is larger than `max_bytes`: readers of text formats pass a bound so that a wrong file named
+/// by mistake fails at once.
 [[nodiscard]] std::string ReadFile(const std::filesystem::path& path,
                                    uint64_t max_bytes = uint64_t{1} << 32);
 

@@ -21,10 +21,15 @@ void WriteJsonFile(const std::filesystem::path& path, const nlohmann::json& json
 /// Typed access that tells the user which key of which file is at fault. `where` is the file.
 ///
 /// Each throws InvalidInputError when the key is missing, of another type or not finite.
-[[nodiscard]] double JsonNumber(const nlohmann::json& object, const char* key, const std::string& where);
-[[nodiscard]] int64_t JsonInteger(const nlohmann::json& object, const char* key, const std::string& where);
-[[nodiscard]] std::string JsonString(const nlohmann::json& object, const char* key, const std::string& where);
-[[nodiscard]] const nlohmann::json& JsonArray(const nlohmann::json& object, const char* key, const std::string& where);
-[[nodiscard]] const nlohmann::json& JsonObject(const nlohmann::json& object, const char* key, const std::string& where);
+[[nodiscard]] double JsonNumber(const nlohmann::json& object, const char* key,
+                                const std::string& where);
+[[nodiscard]] int64_t JsonInteger(const nlohmann::json& object, const char* key,
+                                  const std::string& where);
+[[nodiscard]] std::string JsonString(const nlohmann::json& object, const char* key,
+                                     const std::string& where);
+[[nodiscard]] const nlohmann::json& JsonArray(const nlohmann::json& object, const char* key,
+                                              const std::string& where);
+[[nodiscard]] const nlohmann::json& JsonObject(const nlohmann::json& object, const char* key,
+                                               const std::string& where);
 
 }  // namespace enfilade

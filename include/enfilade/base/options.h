@@ -53,7 +53,7 @@ class OptionVisitor {
     VisitText(name, value, help);
   }
   template <typename E>
-    requires std::is_enum_v<E>
+  requires std::is_enum_v<E>
   void operator()(std::string_view name, E& value, std::string_view help) {
     int index = static_cast<int>(value);
     VisitChoice(name, index, EnumNames(E{}), help);
@@ -61,7 +61,7 @@ class OptionVisitor {
   }
   /// A struct of options inside another; its fields are called `name.field`.
   template <typename T>
-    requires requires(T& t, OptionVisitor& v) { t.Visit(v); }
+  requires requires(T& t, OptionVisitor& v) { t.Visit(v); }
   void operator()(std::string_view name, T& group, std::string_view help) {
     BeginGroup(name, help);
     group.Visit(*this);
@@ -71,10 +71,11 @@ class OptionVisitor {
  protected:
   virtual void VisitBool(std::string_view name, bool& value, std::string_view help) = 0;
   virtual void VisitInt(std::string_view name, int& value, std::string_view help, Range range) = 0;
-  virtual void VisitReal(std::string_view name, double& value, std::string_view help, Range range) = 0;
+  virtual void VisitReal(std::string_view name, double& value, std::string_view help,
+                         Range range) = 0;
   virtual void VisitText(std::string_view name, std::string& value, std::string_view help) = 0;
-  virtual void VisitChoice(std::string_view name, int& value, std::span<const std::string_view> names,
-                           std::string_view help) = 0;
+  virtual void VisitChoice(std::string_view name, int& value,
+                           std::span<const std::string_view> names, std::string_view help) = 0;
   virtual void BeginGroup(std::string_view name, std::string_view help) = 0;
   virtual void EndGroup() = 0;
 };
@@ -101,8 +102,8 @@ struct OptionInfo {
 /// All fields in the order of the visit.
 [[nodiscard]] std::vector<OptionInfo> ListOptions(const VisitFunction& options);
 
-/// Sets the field called `path` from text. Throws InvalidInputError (blaming `where`) for an unknown
-/// path, naming the nearest one, and for a value of wrong type or out of range.
+/// Sets the field called `path` from text. Throws InvalidInputError (blaming `where`) for an
+/// unknown path, naming the nearest one, and for a value of wrong type or out of range.
 void SetOption(const VisitFunction& options, std::string_view path, std::string_view value,
                const std::string& where);
 
@@ -121,6 +122,7 @@ void ValidateOptions(const VisitFunction& options, const std::string& where);
 
 /// The candidate with the smallest edit distance to `word`, or "" when all are too far
 /// (more than a third of the word's length, at least 2).
-[[nodiscard]] std::string NearestWord(std::string_view word, std::span<const std::string> candidates);
+[[nodiscard]] std::string NearestWord(std::string_view word,
+                                      std::span<const std::string> candidates);
 
 }  // namespace enfilade

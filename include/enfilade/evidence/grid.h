@@ -20,8 +20,12 @@ struct GridFrame {
   [[nodiscard]] Eigen::Vector2d Center(int row, int col) const {
     return origin + cell_m * Eigen::Vector2d(col + 0.5, row + 0.5);
   }
-  [[nodiscard]] int Row(double y) const { return static_cast<int>(std::floor((y - origin.y()) / cell_m)); }
-  [[nodiscard]] int Col(double x) const { return static_cast<int>(std::floor((x - origin.x()) / cell_m)); }
+  [[nodiscard]] int Row(double y) const {
+    return static_cast<int>(std::floor((y - origin.y()) / cell_m));
+  }
+  [[nodiscard]] int Col(double x) const {
+    return static_cast<int>(std::floor((x - origin.x()) / cell_m));
+  }
   [[nodiscard]] bool IsInside(int row, int col) const {
     return row >= 0 && col >= 0 && row < rows && col < cols;
   }

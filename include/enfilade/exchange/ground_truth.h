@@ -16,9 +16,9 @@ namespace enfilade {
 /// The truth about one picture, all in the truth's world frame.
 struct TruthView {
   std::string picture;
-  std::string sha256;      ///< empty when the file is absent: matched by name then
+  std::string sha256;  ///< empty when the file is absent: matched by name then
   std::optional<Rigid3> world_from_cam;
-  bool is_inside = true;   ///< taken inside its own layout
+  bool is_inside = true;  ///< taken inside its own layout
   double camera_height_m = 0;
   /// What the picture shows of the walls: layout_visible, else layout_raw, else the room's outline.
   Ring2 visible_layout;
@@ -27,7 +27,7 @@ struct TruthView {
 };
 
 struct TruthRoom {
-  MultiPolygon2 region;    ///< inner wall faces
+  MultiPolygon2 region;                      ///< inner wall faces
   std::optional<double> floor_z, ceiling_z;  ///< none where the ceiling is not level
 };
 

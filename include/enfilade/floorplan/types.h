@@ -36,7 +36,7 @@ struct Wall {
   double thickness_m = 0;
   bool is_thickness_measured = false;
   WallSeen seen = WallSeen::kSeen;
-  double sigma_m = 0;                ///< standard deviation of its offset
+  double sigma_m = 0;  ///< standard deviation of its offset
 };
 
 enum class OpeningKind { kDoor, kOpening, kWindow };

@@ -7,7 +7,8 @@
 namespace enfilade {
 
 /// Boolean operations and offsets on regions (GEOS). Inputs may overlap or touch themselves: they
-/// are made valid first. Results follow the conventions of Polygon2; parts below 1e-9 m² are dropped.
+/// are made valid first. Results follow the conventions of Polygon2; parts below 1e-9 m² are
+/// dropped.
 [[nodiscard]] MultiPolygon2 Union(const MultiPolygon2& a, const MultiPolygon2& b = {});
 [[nodiscard]] MultiPolygon2 Intersection(const MultiPolygon2& a, const MultiPolygon2& b);
 [[nodiscard]] MultiPolygon2 Difference(const MultiPolygon2& a, const MultiPolygon2& b);

@@ -34,8 +34,8 @@ struct Rigid3 {
   return Eigen::AngleAxisd(rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The rotation nearest to `m` in the Frobenius norm (orthogonal Procrustes): for matrices read from
-/// files whose entries were rounded.
+/// The rotation nearest to `m` in the Frobenius norm (orthogonal Procrustes): for matrices read
+/// from files whose entries were rounded.
 [[nodiscard]] inline Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& m) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();

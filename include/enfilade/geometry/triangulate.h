@@ -11,8 +11,8 @@ namespace enfilade {
 
 /// Triangles over the vertices of a polygon, counter-clockwise.
 struct Triangulation2 {
-  std::vector<Eigen::Vector2d> vertices;        ///< outer ring, then the holes, in order
-  std::vector<std::array<int, 3>> triangles;    ///< indices into `vertices`
+  std::vector<Eigen::Vector2d> vertices;      ///< outer ring, then the holes, in order
+  std::vector<std::array<int, 3>> triangles;  ///< indices into `vertices`
 };
 
 /// Constrained Delaunay triangulation of the polygon's interior (CGAL). No vertex is added, so

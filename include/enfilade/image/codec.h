@@ -15,12 +15,12 @@ struct ImageSize {
   int height = 0;
 };
 
-/// Size of a JPEG or PNG from its header, without decoding. Throws IoError, or InvalidInputError when
-/// it is neither or truncated before the size.
+/// Size of a JPEG or PNG from its header, without decoding. Throws IoError, or InvalidInputError
+/// when it is neither or truncated before the size.
 [[nodiscard]] ImageSize ReadImageSize(const std::filesystem::path& path);
 
-/// Decodes a picture (JPEG, PNG, TIFF, WebP; EXIF orientation is ignored, as poses refer to the stored
-/// pixels) to 8-bit RGB: rows × cols × 3. Throws IoError or InvalidInputError (truncated, no
+/// Decodes a picture (JPEG, PNG, TIFF, WebP; EXIF orientation is ignored, as poses refer to the
+/// stored pixels) to 8-bit RGB: rows × cols × 3. Throws IoError or InvalidInputError (truncated, no
 /// picture, more than 2^28 pixels).
 [[nodiscard]] ImageU8 ReadImageRgb(const std::filesystem::path& path);
 

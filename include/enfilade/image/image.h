@@ -17,7 +17,9 @@ class Image {
  public:
   Image() = default;
   Image(int rows, int cols, int channels = 1, T value = T())
-      : rows_(rows), cols_(cols), channels_(channels),
+      : rows_(rows),
+        cols_(cols),
+        channels_(channels),
         data_(static_cast<size_t>(rows) * static_cast<size_t>(cols) * static_cast<size_t>(channels),
               value) {
     ENFILADE_CHECK(rows >= 0 && cols >= 0 && channels >= 1);
@@ -39,8 +41,10 @@ class Image {
 
  private:
   [[nodiscard]] T* At(int row, int col, int channel) {
-    return data_.data() + (static_cast<size_t>(row) * static_cast<size_t>(cols_) + static_cast<size_t>(col)) *
-                              static_cast<size_t>(channels_) + static_cast<size_t>(channel);
+    return data_.data() +
+           (static_cast<size_t>(row) * static_cast<size_t>(cols_) + static_cast<size_t>(col)) *
+               static_cast<size_t>(channels_) +
+           static_cast<size_t>(channel);
   }
 
   int rows_ = 0;

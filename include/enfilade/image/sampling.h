@@ -18,14 +18,17 @@ template <typename T>
   const int c0 = static_cast<int>(u), r0 = static_cast<int>(v);
   const int c1 = std::min(c0 + 1, image.cols() - 1), r1 = std::min(r0 + 1, image.rows() - 1);
   const float a = static_cast<float>(u - c0), b = static_cast<float>(v - r0);
-  const float top = (1 - a) * static_cast<float>(image(r0, c0, channel)) + a * static_cast<float>(image(r0, c1, channel));
-  const float bottom = (1 - a) * static_cast<float>(image(r1, c0, channel)) + a * static_cast<float>(image(r1, c1, channel));
+  const float top = (1 - a) * static_cast<float>(image(r0, c0, channel)) +
+                    a * static_cast<float>(image(r0, c1, channel));
+  const float bottom = (1 - a) * static_cast<float>(image(r1, c0, channel)) +
+                       a * static_cast<float>(image(r1, c1, channel));
   return (1 - b) * top + b * bottom;
 }
 
 /// As SampleBilinear for equirectangular pictures: x wraps round, y is clamped at the poles.
 template <typename T>
-[[nodiscard]] float SampleBilinearWrapped(const Image<T>& image, double x, double y, int channel = 0) {
+[[nodiscard]] float SampleBilinearWrapped(const Image<T>& image, double x, double y,
+                                          int channel = 0) {
   const double width = image.cols();
   double u = x - 0.5;
   u -= width * std::floor(u / width);
@@ -33,8 +36,10 @@ template <typename T>
   const int c0 = std::min(static_cast<int>(u), image.cols() - 1), r0 = static_cast<int>(v);
   const int c1 = c0 + 1 < image.cols() ? c0 + 1 : 0, r1 = std::min(r0 + 1, image.rows() - 1);
   const float a = static_cast<float>(u - c0), b = static_cast<float>(v - r0);
-  const float top = (1 - a) * static_cast<float>(image(r0, c0, channel)) + a * static_cast<float>(image(r0, c1, channel));
-  const float bottom = (1 - a) * static_cast<float>(image(r1, c0, channel)) + a * static_cast<float>(image(r1, c1, channel));
+  const float top = (1 - a) * static_cast<float>(image(r0, c0, channel)) +
+                    a * static_cast<float>(image(r0, c1, channel));
+  const float bottom = (1 - a) * static_cast<float>(image(r1, c0, channel)) +
+                       a * static_cast<float>(image(r1, c1, channel));
   return (1 - b) * top + b * bottom;
 }
 

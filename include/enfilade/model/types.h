@@ -18,18 +18,18 @@ enum class SurfaceKind { kFloor, kCeiling, kWall };
 struct ModelFace {
   SurfaceKind kind = SurfaceKind::kWall;
   int room_id = 0;
-  int wall_id = -1;                            ///< −1 for floors and ceilings
+  int wall_id = -1;  ///< −1 for floors and ceilings
   Eigen::Vector3d normal{0, 0, 1};
-  std::vector<Eigen::Vector3d> vertices;       ///< home frame, metres
-  std::vector<std::array<int, 3>> triangles;   ///< counter-clockwise seen from the room
-  std::vector<Eigen::Vector2d> uv;             ///< one a vertex; (0, 0) is the texture's top left
+  std::vector<Eigen::Vector3d> vertices;      ///< home frame, metres
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from the room
+  std::vector<Eigen::Vector2d> uv;            ///< one a vertex; (0, 0) is the texture's top left
   int texture_idx = 0;
 };
 
 /// The extruded home. The faces of a room form a closed surface: every edge is shared by two.
 struct BuildingModel {
   std::vector<ModelFace> faces;
-  std::vector<ImageU8> textures;               ///< RGB
+  std::vector<ImageU8> textures;  ///< RGB
 };
 
 }  // namespace enfilade

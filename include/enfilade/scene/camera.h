@@ -27,6 +27,7 @@ struct Camera {
 };
 
 [[nodiscard]] Camera EquirectangularCamera(int width, int height);
-[[nodiscard]] Camera PinholeCamera(int width, int height, double fx, double fy, double cx, double cy);
+[[nodiscard]] Camera PinholeCamera(int width, int height, double fx, double fy, double cx,
+                                   double cy);
 
 }  // namespace enfilade

@@ -18,23 +18,23 @@ namespace enfilade {
 
 /// One picture with its camera and pose.
 struct View {
-  std::string picture;           ///< file name without folder, as the user knows it
-  std::filesystem::path path;    ///< where to read it
-  std::string sha256;            ///< of the file's bytes
+  std::string picture;         ///< file name without folder, as the user knows it
+  std::filesystem::path path;  ///< where to read it
+  std::string sha256;          ///< of the file's bytes
   Camera camera;
-  Rigid3 world_from_cam;         ///< metres, world z up
-  int storey_idx = 0;            ///< into the storeys, from bottom to top
-  int component_idx = 0;         ///< connected component of poses
+  Rigid3 world_from_cam;  ///< metres, world z up
+  int storey_idx = 0;     ///< into the storeys, from bottom to top
+  int component_idx = 0;  ///< connected component of poses
   bool is_pose_inferred = false;
   std::filesystem::path mask_path;  ///< grey picture of the same size, 0 = ignore; empty = none
 };
 
 /// A reconstructed point.
 struct ScenePoint {
-  Eigen::Vector3d position;               ///< in world
-  Eigen::Vector3d normal{0, 0, 0};        ///< unit, or zero when unknown
+  Eigen::Vector3d position;         ///< in world
+  Eigen::Vector3d normal{0, 0, 0};  ///< unit, or zero when unknown
   Eigen::Matrix<uint8_t, 3, 1> rgb{0, 0, 0};
-  std::vector<int> view_idx;              ///< views that see it
+  std::vector<int> view_idx;  ///< views that see it
 };
 
 /// How the length unit of the world became metres.
@@ -45,7 +45,8 @@ enum class ScaleSource { kPoses, kCameraHeight, kAssumed };
 enum class PoseSource { kTransforms, kColmap, kCsv, kZind, kEstimated };
 [[nodiscard]] std::span<const std::string_view> EnumNames(PoseSource);
 
-/// Views in the order of their picture's hash, so that renaming or regrouping files changes nothing.
+/// Views in the order of their picture's hash, so that renaming or regrouping files changes
+/// nothing.
 struct Scene {
   std::vector<View> views;
   std::vector<ScenePoint> points;
