@@ -56,7 +56,8 @@ struct Node {
 
 // Best walk that ends where it starts. The cheapest walk within an interval of seams bounds every
 // closed walk through them; when its ends differ, they fall into different halves.
-std::optional<SeamPath> CloseByBranchAndBound(LoopSearch& search, int64_t lower_bound, int& num_searches) {
+std::optional<SeamPath> CloseByBranchAndBound(LoopSearch& search, int64_t lower_bound,
+                                              int& num_searches) {
   std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
   open.push({lower_bound, {0, search.num_seams() - 1}});
   std::optional<SeamPath> best;
@@ -83,15 +84,16 @@ std::optional<SeamPath> CloseByBranchAndBound(LoopSearch& search, int64_t lower_
 }  // namespace
 
 std::span<const std::string_view> EnumNames(GridLoopOutcome) {
-  static constexpr std::array<std::string_view, 4> kNames = {"found", "empty_core", "disconnected_core",
-                                                             "no_route"};
+  static constexpr std::array<std::string_view, 4> kNames = {"found", "empty_core",
+                                                             "disconnected_core", "no_route"};
   return kNames;
 }
 
 GridLoopReport FindShortestLoop(const GridLoopProblem& problem) {
   const size_t num_cells = static_cast<size_t>(problem.rows) * static_cast<size_t>(problem.cols);
   ENFILADE_CHECK(problem.rows >= 0 && problem.cols >= 0 && problem.core.size() == num_cells);
-  ENFILADE_CHECK(problem.step_cost.size() == problem.StepIndex(problem.rows + 1, 0, GridHeading::kEast));
+  ENFILADE_CHECK(problem.step_cost.size() ==
+                 problem.StepIndex(problem.rows + 1, 0, GridHeading::kEast));
   GridLoopReport report;
   const size_t num_core = CountCore(problem);
   if (num_core == 0) {
@@ -110,8 +112,8 @@ GridLoopReport FindShortestLoop(const GridLoopProblem& problem) {
     report.num_levels = max_level + 1;
     if (!lower_bound) break;
     best = CloseByBranchAndBound(search, *lower_bound, report.num_searches);
-    // A walk through a higher level first goes round max_level + 1 times and then comes back over the
-    // ray: at least four turns more.
+    // A walk through a higher level first goes round max_level + 1 times and then comes back over
+    // the ray: at least four turns more.
     const int64_t higher = (max_level + 1) * *lower_bound + 4 * int64_t{problem.turn_cost};
     const int64_t bound = best ? best->cost : search.upper_bound();
     // A simple loop crosses each seam once, so its levels are fewer than the seams.

@@ -39,10 +39,11 @@ LoopSearch::LoopSearch(const GridLoopProblem& problem) {
   max_move_cost_ = max_step + turn_cost_;
 }
 
-// The box of the core grown by the margin, and the ray from the core's easternmost cell: beyond that
-// column there is no core, so the ray meets it nowhere else.
+// The box of the core grown by the margin, and the ray from the core's easternmost cell: beyond
+// that column there is no core, so the ray meets it nowhere else.
 void LoopSearch::ChooseBox(const GridLoopProblem& problem) {
-  int first_row = problem.rows, last_row = -1, first_col = problem.cols, last_col = -1, ray_row = -1;
+  int first_row = problem.rows, last_row = -1, first_col = problem.cols, last_col = -1,
+      ray_row = -1;
   for (int row = 0; row < problem.rows; ++row) {
     for (int col = 0; col < problem.cols; ++col) {
       if (!IsCore(problem, row, col)) continue;
@@ -59,8 +60,10 @@ void LoopSearch::ChooseBox(const GridLoopProblem& problem) {
   const int margin = std::max(problem.margin_cells, 0);
   low_row_ = std::max(first_row - margin, 0);
   low_col_ = std::max(first_col - margin, 0);
-  const int high_row = static_cast<int>(std::min<int64_t>(int64_t{last_row} + 1 + margin, problem.rows));
-  const int high_col = static_cast<int>(std::min<int64_t>(int64_t{last_col} + 1 + margin, problem.cols));
+  const int high_row =
+      static_cast<int>(std::min<int64_t>(int64_t{last_row} + 1 + margin, problem.rows));
+  const int high_col =
+      static_cast<int>(std::min<int64_t>(int64_t{last_col} + 1 + margin, problem.cols));
   rows_ = high_row - low_row_ + 3;  // vertices low … high and the padding
   cols_ = high_col - low_col_ + 3;
   num_vertices_ = rows_ * cols_;
@@ -78,7 +81,8 @@ void LoopSearch::CopySteps(const GridLoopProblem& problem) {
   step_.assign(static_cast<size_t>(num_vertices_) * 4, kBlockedStep);
   for (int row = 1; row + 1 < rows_; ++row) {
     for (int col = 1; col + 1 < cols_; ++col) {
-      const int r = low_row_ + row - 1, c = low_col_ + col - 1;  // of the vertex in the problem's grid
+      const int r = low_row_ + row - 1,
+                c = low_col_ + col - 1;  // of the vertex in the problem's grid
       const bool is_room[4] = {col + 2 < cols_, row + 2 < rows_, col > 1, row > 1};
       const bool is_core_on_right[4] = {IsCore(problem, r - 1, c), IsCore(problem, r, c),
                                         IsCore(problem, r, c - 1), IsCore(problem, r - 1, c - 1)};
@@ -120,7 +124,8 @@ GridVertex LoopSearch::GridVertexOf(int vertex) const {
 std::optional<int64_t> LoopSearch::Prepare(int max_level) {
   max_level_ = max_level;
   upper_bound_ = kMaxDistance;
-  const size_t num_states = static_cast<size_t>(std::max(max_level, 1) + 1) * static_cast<size_t>(num_vertices_) * 4;
+  const size_t num_states =
+      static_cast<size_t>(std::max(max_level, 1) + 1) * static_cast<size_t>(num_vertices_) * 4;
   ENFILADE_CHECK(num_states < kUnreached);
   to_end_.assign(num_states, kUnreached);
   from_start_.assign(num_states, kUnreached);
@@ -171,8 +176,8 @@ void LoopSearch::RelaxBackward(State state, uint32_t distance) {
   relax(Right(heading), straight + turn_cost_);
 }
 
-// Closes the walk that leaves `start_seam` by going along the row north of the ray: an upper bound of
-// the optimum. Two turns suffice, at the end seam and where the walk starts again.
+// Closes the walk that leaves `start_seam` by going along the row north of the ray: an upper bound
+// of the optimum. Two turns suffice, at the end seam and where the walk starts again.
 void LoopSearch::BoundByClosing(int start_seam, uint32_t distance) {
   if (distance >= upper_bound_) return;
   const int end_seam = EndSeamFrom(start_seam);
@@ -208,7 +213,8 @@ int64_t LoopSearch::RowCost(int vertex, int num_steps) const {
   int64_t cost = 0;
   const int heading = num_steps > 0 ? 0 : 2;
   for (int i = 0; i < std::abs(num_steps); ++i) {
-    const uint16_t step = step_[static_cast<size_t>(vertex + i * offset_[heading]) * 4 + static_cast<size_t>(heading)];
+    const uint16_t step = step_[static_cast<size_t>(vertex + i * offset_[heading]) * 4 +
+                                static_cast<size_t>(heading)];
     if (step == kBlockedStep) return kMaxDistance;
     cost += step;
   }
@@ -289,7 +295,8 @@ LoopSearch::State LoopSearch::Predecessor(State state) const {
   for (const int turn : {heading, Left(heading), Right(heading)}) {
     const State previous = MakeState(from_level, from, turn);
     const uint32_t cost = step + (turn == heading ? 0 : turn_cost_);
-    if (from_start_[previous] != kUnreached && from_start_[previous] + cost == from_start_[state]) return previous;
+    if (from_start_[previous] != kUnreached && from_start_[previous] + cost == from_start_[state])
+      return previous;
   }
   FailCheck(__FILE__, __LINE__, "every reached state has a predecessor");
 }

@@ -28,9 +28,9 @@ struct SeamPath {
 
 /// Shortest walks round the core on the universal cover of the grid without the core.
 ///
-/// A ray runs from the core's easternmost cell to the east. A state is (level, vertex, heading of the
-/// step that arrived there); a step north across the ray raises the level, one south lowers it. A
-/// walk round the core leads from the north side of a seam at level 0 to the same at level 1.
+/// A ray runs from the core's easternmost cell to the east. A state is (level, vertex, heading of
+/// the step that arrived there); a step north across the ray raises the level, one south lowers it.
+/// A walk round the core leads from the north side of a seam at level 0 to the same at level 1.
 /// Levels 0 … max_level may be wandered through; lower ones are never needed, because every closed
 /// sequence of ups and downs with sum one has a rotation whose partial sums stay positive.
 class LoopSearch {
@@ -98,12 +98,12 @@ class LoopSearch {
 
   int max_level_ = 0;
   int64_t upper_bound_ = 0;
-  std::vector<uint32_t> to_end_;      // per state, after Prepare
-  std::vector<uint32_t> from_start_;  // per state, of the current Find
-  std::vector<State> touched_;        // states that Find must reset
+  std::vector<uint32_t> to_end_;             // per state, after Prepare
+  std::vector<uint32_t> from_start_;         // per state, of the current Find
+  std::vector<State> touched_;               // states that Find must reset
   std::vector<std::vector<State>> buckets_;  // Prepare: by distance, modulo their number
-  std::vector<uint64_t> heap_;        // Find: least sum of cost so far and to_end_, latest first
-  std::vector<State> queued_;         // Find: states in the order in which they were put on the heap
+  std::vector<uint64_t> heap_;  // Find: least sum of cost so far and to_end_, latest first
+  std::vector<State> queued_;   // Find: states in the order in which they were put on the heap
   int64_t num_settled_ = 0;
 };
 

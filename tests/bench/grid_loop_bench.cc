@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The loop solver beside Dijkstra (Boost.Graph) on the explicit graph of long straight edges, as the
-// 2014 paper puts it. The rival finds the best path for one given seam; the solver finds the best
-// loop over all seams.
+// The loop solver beside Dijkstra (Boost.Graph) on the explicit graph of long straight edges, as
+// the 2014 paper puts it. The rival finds the best path for one given seam; the solver finds the
+// best loop over all seams.
 #include "enfilade/optim/grid_loop.h"
 
 #include <benchmark/benchmark.h>
@@ -26,7 +26,9 @@ GridLoopProblem MakeHome(int rows, int cols) {
   problem.core.assign(static_cast<size_t>(rows) * static_cast<size_t>(cols), 0);
   for (int row = rows * 3 / 8; row < rows * 5 / 8; ++row) {
     for (int col = cols * 3 / 8; col < cols * 5 / 8; ++col) {
-      problem.core[static_cast<size_t>(row) * static_cast<size_t>(cols) + static_cast<size_t>(col)] = 1;
+      problem
+          .core[static_cast<size_t>(row) * static_cast<size_t>(cols) + static_cast<size_t>(col)] =
+          1;
     }
   }
   problem.step_cost.resize(problem.StepIndex(rows + 1, 0, GridHeading::kEast));
@@ -67,7 +69,8 @@ LongEdgeGraph MakeLongEdgeGraph(const GridLoopProblem& p) {
           r += kRowStep[heading];
           c += kColStep[heading];
           // The seam: below the ray no step leads north.
-          const bool crosses_ray = heading % 2 == 1 && c > p.cols / 2 && std::min(r, r - kRowStep[heading]) == p.rows / 2;
+          const bool crosses_ray = heading % 2 == 1 && c > p.cols / 2 &&
+                                   std::min(r, r - kRowStep[heading]) == p.rows / 2;
           if (r < 0 || c < 0 || r >= p.rows || c >= p.cols || is_core(r, c) || crosses_ray) break;
           edges.emplace_back(row * p.cols + col, r * p.cols + c);
           costs.push_back(cost);

@@ -29,8 +29,8 @@ GridLoopProblem MakeProblem(int rows, int cols, uint16_t step_cost, int turn_cos
 
 // Rows of text, the top one is the highest row: '#' core, other characters none.
 GridLoopProblem ParseCore(const std::vector<std::string>& text, uint16_t step_cost, int turn_cost) {
-  GridLoopProblem problem = MakeProblem(static_cast<int>(text.size()), static_cast<int>(text[0].size()),
-                                        step_cost, turn_cost);
+  GridLoopProblem problem = MakeProblem(static_cast<int>(text.size()),
+                                        static_cast<int>(text[0].size()), step_cost, turn_cost);
   for (int row = 0; row < problem.rows; ++row) {
     for (int col = 0; col < problem.cols; ++col) {
       const char c = text[static_cast<size_t>(problem.rows - 1 - row)][static_cast<size_t>(col)];
@@ -67,7 +67,8 @@ class BruteForce {
     int best_col = -1;
     for (int row = 0; row < p_.rows; ++row) {
       for (int col = 0; col < p_.cols; ++col) {
-        if (IsCore(p_, row, col) && col > best_col) std::tie(ray_row_, best_col) = std::tuple(row, col);
+        if (IsCore(p_, row, col) && col > best_col)
+          std::tie(ray_row_, best_col) = std::tuple(row, col);
       }
     }
     ray_col_ = best_col + 1;
@@ -105,7 +106,8 @@ class BruteForce {
         while (true) {
           const int next_row = row + kRowStep[heading], next_col = col + kColStep[heading];
           if (next_row < 0 || next_col < 0 || next_row > p_.rows || next_col > p_.cols) break;
-          const uint16_t step = p_.step_cost[p_.StepIndex(row, col, static_cast<GridHeading>(heading))];
+          const uint16_t step =
+              p_.step_cost[p_.StepIndex(row, col, static_cast<GridHeading>(heading))];
           if (step == kBlockedStep || RunsThroughCore(row, col, heading)) break;
           cost += step;
           if (heading == 1 && row == ray_row_ && col >= ray_col_) ++level;
@@ -125,7 +127,8 @@ class BruteForce {
   }
 
   bool RunsThroughCore(int row, int col, int heading) const {
-    const int r = std::min(row, row + kRowStep[heading]), c = std::min(col, col + kColStep[heading]);
+    const int r = std::min(row, row + kRowStep[heading]),
+              c = std::min(col, col + kColStep[heading]);
     const bool is_horizontal = kRowStep[heading] == 0;
     return IsCore(p_, r, c) && IsCore(p_, is_horizontal ? r - 1 : r, is_horizontal ? c : c - 1);
   }
@@ -149,7 +152,8 @@ int64_t CostOf(const GridLoopProblem& p, const std::vector<GridVertex>& ring) {
   return cost;
 }
 
-// Counter-clockwise, axis-parallel, alternating, visiting no vertex twice, with the whole core inside.
+// Counter-clockwise, axis-parallel, alternating, visiting no vertex twice, with the whole core
+// inside.
 void ExpectValidRing(const GridLoopProblem& p, const std::vector<GridVertex>& ring) {
   ASSERT_GE(ring.size(), 4u);
   std::set<std::pair<int, int>> visited;
@@ -170,7 +174,8 @@ void ExpectValidRing(const GridLoopProblem& p, const std::vector<GridVertex>& ri
     bool inside = false;
     for (size_t i = 0; i < ring.size(); ++i) {
       const GridVertex a = ring[i], b = ring[(i + 1) % ring.size()];
-      if (a.col == b.col && a.col > col && row >= std::min(a.row, b.row) && row < std::max(a.row, b.row)) {
+      if (a.col == b.col && a.col > col && row >= std::min(a.row, b.row) &&
+          row < std::max(a.row, b.row)) {
         inside = !inside;
       }
     }
@@ -247,7 +252,10 @@ TEST(GridLoop, IgnoresCheapStepsOfTheWrongDirection) {
 
 TEST(GridLoop, StaysWithinTheMargin) {
   GridLoopProblem problem = ParseCore({"......", "......", "..#...", "......", "......"}, 50, 10);
-  for (const auto& [a, b] : {std::pair{GridVertex{0, 0}, GridVertex{0, 6}}, {{0, 6}, {5, 6}}, {{5, 6}, {5, 0}}, {{5, 0}, {0, 0}}}) {
+  for (const auto& [a, b] : {std::pair{GridVertex{0, 0}, GridVertex{0, 6}},
+                             {{0, 6}, {5, 6}},
+                             {{5, 6}, {5, 0}},
+                             {{5, 0}, {0, 0}}}) {
     SetEdge(problem, a, b, 0);
   }
   EXPECT_EQ(FindShortestLoop(problem).cost, 40);
@@ -257,8 +265,10 @@ TEST(GridLoop, StaysWithinTheMargin) {
 
 TEST(GridLoop, SaysWhyThereIsNone) {
   EXPECT_EQ(FindShortestLoop(ParseCore({"...", "..."}, 1, 1)).outcome, GridLoopOutcome::kEmptyCore);
-  EXPECT_EQ(FindShortestLoop(ParseCore({"#..", ".#."}, 1, 1)).outcome, GridLoopOutcome::kDisconnectedCore);
-  EXPECT_EQ(FindShortestLoop(ParseCore({"...", ".#.", "..."}, kBlockedStep, 1)).outcome, GridLoopOutcome::kNoRoute);
+  EXPECT_EQ(FindShortestLoop(ParseCore({"#..", ".#."}, 1, 1)).outcome,
+            GridLoopOutcome::kDisconnectedCore);
+  EXPECT_EQ(FindShortestLoop(ParseCore({"...", ".#.", "..."}, kBlockedStep, 1)).outcome,
+            GridLoopOutcome::kNoRoute);
   EXPECT_EQ(FindShortestLoop(MakeProblem(0, 0, 1, 1)).outcome, GridLoopOutcome::kEmptyCore);
 }
 
@@ -280,8 +290,9 @@ TEST(GridLoop, EqualsBruteForceOnRandomGrids) {
   std::mt19937 random(1);
   for (int i = 0; i < 400; ++i) {
     SCOPED_TRACE(i);
-    GridLoopProblem problem = MakeProblem(3 + static_cast<int>(random() % 6), 3 + static_cast<int>(random() % 6), 0,
-                                          1 + static_cast<int>(random() % 12));
+    GridLoopProblem problem =
+        MakeProblem(3 + static_cast<int>(random() % 6), 3 + static_cast<int>(random() % 6), 0,
+                    1 + static_cast<int>(random() % 12));
     const unsigned max_cost = 1 + random() % 20;
     const bool has_blocked = random() % 3 == 0;
     for (uint16_t& cost : problem.step_cost) {
@@ -294,7 +305,8 @@ TEST(GridLoop, EqualsBruteForceOnRandomGrids) {
   }
 }
 
-// Draws random rectilinear walks as free corridors on dear ground: cheap routes fold back over the ray.
+// Draws random rectilinear walks as free corridors on dear ground: cheap routes fold back over the
+// ray.
 TEST(GridLoop, EqualsBruteForceOnFoldedWalls) {
   std::mt19937 random(2);
   int num_folded = 0;
@@ -320,9 +332,11 @@ TEST(GridLoop, EqualsBruteForceOnFoldedWalls) {
 TEST(GridLoop, FollowsADoubleSpiral) {
   GridLoopProblem problem = MakeProblem(16, 16, 1000, 1);
   problem.core[8 * 16 + 7] = 1;
-  const std::vector<GridVertex> ring = {{7, 6},  {7, 10}, {11, 10}, {11, 4}, {4, 4},  {4, 13}, {13, 13}, {13, 2},
-                                        {12, 2}, {12, 12}, {5, 12},  {5, 5},  {10, 5}, {10, 9}, {9, 9},   {9, 6}};
-  for (size_t i = 0; i < ring.size(); ++i) SetEdge(problem, ring[i], ring[(i + 1) % ring.size()], 0);
+  const std::vector<GridVertex> ring = {{7, 6},   {7, 10}, {11, 10}, {11, 4},  {4, 4},  {4, 13},
+                                        {13, 13}, {13, 2}, {12, 2},  {12, 12}, {5, 12}, {5, 5},
+                                        {10, 5},  {10, 9}, {9, 9},   {9, 6}};
+  for (size_t i = 0; i < ring.size(); ++i)
+    SetEdge(problem, ring[i], ring[(i + 1) % ring.size()], 0);
   const GridLoopReport report = FindShortestLoop(problem);
   ASSERT_EQ(report.outcome, GridLoopOutcome::kFound);
   EXPECT_EQ(report.cost, 16);

@@ -25,11 +25,11 @@ inline constexpr uint16_t kBlockedStep = 0xFFFF;
 
 /// What the loop goes round and what it pays.
 ///
-/// The loop runs on the corners of the cells, so that it encloses whole cells and its area is theirs.
-/// It runs counter-clockwise: the enclosed side is on the left of each step, and since every heading
-/// has its own costs, a step can be cheap one way and dear the other way.
+/// The loop runs on the corners of the cells, so that it encloses whole cells and its area is
+/// theirs. It runs counter-clockwise: the enclosed side is on the left of each step, and since
+/// every heading has its own costs, a step can be cheap one way and dear the other way.
 struct GridLoopProblem {
-  int rows = 0;                     ///< of cells
+  int rows = 0;  ///< of cells
   int cols = 0;
   std::vector<uint8_t> core;        ///< rows × cols; non-zero cells must be enclosed
   std::vector<uint16_t> step_cost;  ///< (rows + 1) × (cols + 1) × 4, see StepIndex
@@ -40,7 +40,8 @@ struct GridLoopProblem {
   /// Where the cost of the step that leaves vertex (row, col) with `heading` stands. Steps that
   /// would leave the grid are ignored.
   [[nodiscard]] size_t StepIndex(int row, int col, GridHeading heading) const {
-    return 4 * (static_cast<size_t>(row) * static_cast<size_t>(cols + 1) + static_cast<size_t>(col)) +
+    return 4 * (static_cast<size_t>(row) * static_cast<size_t>(cols + 1) +
+                static_cast<size_t>(col)) +
            static_cast<size_t>(heading);
   }
 };
@@ -60,15 +61,16 @@ struct GridLoopReport {
 /// The cheapest closed walk on cell corners that goes round the core once: minimises
 /// Σ step_cost + turn_cost · turns over all loops and all seams.
 ///
-/// Requires non-negative costs (given by the type), turn_cost ≥ 1 and arrays of the sizes above. The
-/// ring is a simple polygon: cutting a sub-loop out of a walk that visits a vertex twice removes at
-/// least three turns and adds at most one. A core that is not connected over cell sides, is empty or
-/// cannot be gone round is an outcome, not an error. Ties are broken the same way on every run.
+/// Requires non-negative costs (given by the type), turn_cost ≥ 1 and arrays of the sizes above.
+/// The ring is a simple polygon: cutting a sub-loop out of a walk that visits a vertex twice
+/// removes at least three turns and adds at most one. A core that is not connected over cell sides,
+/// is empty or cannot be gone round is an outcome, not an error. Ties are broken the same way on
+/// every run.
 ///
 /// Method: docs/algorithms/grid_loop.md. The graph of long straight edges of Cabral and Furukawa
-/// (CVPR 2014) in its equivalent form with one state a (vertex, heading); states also carry how often
-/// they passed a ray from the core, so that walls that fold back over the ray are right; the seam is
-/// found by branch and bound. Typical cost: two passes over the states of the box.
+/// (CVPR 2014) in its equivalent form with one state a (vertex, heading); states also carry how
+/// often they passed a ray from the core, so that walls that fold back over the ray are right; the
+/// seam is found by branch and bound. Typical cost: two passes over the states of the box.
 [[nodiscard]] GridLoopReport FindShortestLoop(const GridLoopProblem& problem);
 
 }  // namespace enfilade
