@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "enfilade/base/file.h"
+#include "tests/e2e/program.h"
+
+namespace enfilade {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(CommandLine, AlonePrintsTheCommandsInFlowOrder) {
+  const ProgramResult result = RunProgram({});
+  EXPECT_EQ(result.exit_code, 0);
+  size_t last = 0;
+  for (const std::string command : {"\n  doctor", "\n  config", "\n  version"}) {
+    const size_t at = result.out.find(command);
+    ASSERT_NE(at, std::string::npos) << command << result.out;
+    EXPECT_GT(at, last) << command;
+    last = at;
+  }
+}
+
+TEST(CommandLine, SuggestsTheNearestCommandAndOption) {
+  ExpectRefusal(RunProgram({"confgi"}), "did you mean 'config'?");
+  ExpectRefusal(RunProgram({"config", "--jsno"}), "did you mean '--json'?");
+  ExpectRefusal(RunProgram({"config", "--config"}), "--config");
+  ExpectRefusal(RunProgram({"--nothing-like-it"}), "there is no option '--nothing-like-it'");
+}
+
+TEST(CommandLine, RefusesBrokenConfigFiles) {
+  ExpectRefusal(RunProgram({"config", "--config", "/nowhere.json"}), "/nowhere.json");
+  ExpectRefusal(RunProgram({"config", "--config", "/proc/self/exe"}), "/proc/self/exe");
+  ExpectRefusal(RunProgram({"config", "--config", "/dev/null"}), "/dev/null");
+}
+
+TEST(CommandLine, VersionNamesTheProgram) {
+  const ProgramResult result = RunProgram({"version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, testing::StartsWith("enfilade 0."));
+}
+
+TEST(CommandLine, ConfigPrintsJsonThatConfigReads) {
+  const ProgramResult result = RunProgram({"config", "--json"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(nlohmann::json::parse(result.out).is_object());
+}
+
+TEST(CommandLine, ReferencePageIsCurrent) {
+  const ProgramResult result = RunProgram({"config", "--markdown"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, ReadFile(ENFILADE_SOURCE_DIR "/docs/command_reference.md"))
+      << "make it anew: enfilade config --markdown > docs/command_reference.md";
+}
+
+}  // namespace
+}  // namespace enfilade
