@@ -17,6 +17,7 @@ namespace enfilade {
 struct TruthView {
   std::string picture;
   std::string sha256;  ///< empty when the file is absent: matched by name then
+  int storey_idx = 0;
   std::optional<Rigid3> world_from_cam;
   bool is_inside = true;  ///< taken inside its own layout
   double camera_height_m = 0;
@@ -27,8 +28,9 @@ struct TruthView {
 };
 
 struct TruthRoom {
-  MultiPolygon2 region;                      ///< inner wall faces
-  std::optional<double> floor_z, ceiling_z;  ///< none where the ceiling is not level
+  MultiPolygon2 region;  ///< inner wall faces
+  int storey_idx = 0;
+  std::optional<double> floor_z, ceiling_z;  ///< none where floor or ceiling is not level
 };
 
 /// What a result is judged against, whatever file it was read from.
