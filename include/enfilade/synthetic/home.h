@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "enfilade/base/options.h"
+#include "enfilade/floorplan/types.h"
+#include "enfilade/geometry/polygon2.h"
+#include "enfilade/geometry/rigid3.h"
+
+namespace enfilade {
+
+/// What kind of home is made: one room, or a flat of three rooms.
+enum class HomePreset { kRoom, kFlat };
+[[nodiscard]] std::span<const std::string_view> EnumNames(HomePreset);
+
+struct HomeOptions {
+  int seed = 1;
+  HomePreset preset = HomePreset::kFlat;
+  double furniture = 0.5;
+
+  void Visit(OptionVisitor& v) {
+    v("seed", seed, "Every number of the home comes from it.", {0, 2147483647});
+    v("preset", preset, "room: one room; flat: three rooms joined by doors.");
+    v("furniture", furniture, "Share of the furniture that a room can take, 0 for empty rooms.",
+      {0.0, 1.0});
+  }
+};
+
+enum class FloorFinish { kCarpet, kPlanks, kTiles };
+enum class RoomUse { kLiving, kBedroom, kKitchen };
+
+/// The region inside the inner faces of a room's walls, from a level floor to a level ceiling.
+struct HomeRoom {
+  int id = 0;
+  Polygon2 polygon;
+  double floor_z = 0;
+  double ceiling_z = 2.5;
+  RoomUse use = RoomUse::kLiving;
+  FloorFinish floor_finish = FloorFinish::kCarpet;
+  Eigen::Vector3f wall_rgb{0.80f, 0.79f, 0.76f};  ///< diffuse reflectance, linear
+  Eigen::Vector3f floor_rgb{0.35f, 0.30f, 0.25f};
+};
+
+enum class DoorLeaf { kNone, kOpen, kClosed };
+
+/// A hole through a wall. a → b runs along the wall face of `room_id` with the room on its left;
+/// the hole goes through to the parallel face `thickness_m` to its right.
+struct HomeOpening {
+  int id = 0;
+  OpeningKind kind = OpeningKind::kDoor;
+  Eigen::Vector2d a, b;
+  int room_id = 0;
+  std::optional<int> other_room_id;  ///< none where it leads outside
+  double thickness_m = 0.12;
+  double sill_z = 0;
+  double head_z = 2.0;
+  DoorLeaf leaf = DoorLeaf::kNone;  ///< doors only; openings have none
+  double leaf_angle_rad = 0;        ///< open leaves: swung into `room_id` by this from closed
+  bool is_hinge_at_a = true;
+
+  /// True when one can look through it from one room into another.
+  [[nodiscard]] bool IsPassable() const {
+    return kind != OpeningKind::kWindow && leaf != DoorLeaf::kClosed && other_room_id.has_value();
+  }
+  /// Unit, from the face of `room_id` into the wall.
+  [[nodiscard]] Eigen::Vector2d IntoWall() const {
+    const Eigen::Vector2d along = (b - a).normalized();
+    return {along.y(), -along.x()};
+  }
+};
+
+/// A box of furniture: `size` along its own axes, turned by `yaw_rad` about its centre.
+struct HomeBox {
+  int item = 0;  ///< boxes of one piece of furniture share it
+  int room_id = 0;
+  Eigen::Vector2d center{0, 0};
+  Eigen::Vector2d size{1, 1};
+  double yaw_rad = 0;
+  double z0 = 0, z1 = 1;
+  Eigen::Vector3f rgb{0.5f, 0.5f, 0.5f};  ///< diffuse reflectance, linear
+
+  [[nodiscard]] Ring2 Footprint() const;
+};
+
+/// A lamp under the ceiling: a level rectangle that shines downwards.
+struct HomeLamp {
+  int room_id = 0;
+  Eigen::Vector3d center{0, 0, 2.4};
+  Eigen::Vector2d size{0.4, 0.4};
+  Eigen::Vector3f radiance{10, 10, 10};
+};
+
+/// Where a panorama is taken. Upright; any heading.
+struct HomeCamera {
+  std::string picture;  ///< file name below panos/
+  int room_id = 0;
+  Rigid3 home_from_cam;  ///< camera x right, y down, z forward
+};
+
+/// A home with nothing hidden. All coordinates are in the home frame: the walls of Manhattan homes
+/// run along x and y, z is up, and the world is the same frame turned about z.
+struct Home {
+  uint64_t seed = 0;
+  Rigid3 home_from_world;     ///< rotation only, as in Structure
+  double baseboard_m = 0.07;  ///< height of the baseboards, 0 for none
+  std::vector<HomeRoom> rooms;
+  std::vector<HomeOpening> openings;
+  std::vector<HomeBox> boxes;
+  std::vector<HomeLamp> lamps;
+  std::vector<HomeCamera> cameras;
+
+  [[nodiscard]] const HomeRoom& RoomById(int id) const;
+  [[nodiscard]] Rigid3 WorldFromCamera(int camera_idx) const;
+};
+
+/// A home that depends on the options alone. Guarantees: HomeProblems(result) is empty; the heading
+/// is at least 3° off the world's axes; flats have three rooms joined by passable doors (one
+/// without leaf, one with an open leaf) and at least one closed door; every room has a lamp and one
+/// or two cameras at 1.3–1.6 m (±1 cm), 1.3 m² of free floor round each. Throws InvalidInputError
+/// for options out of range.
+[[nodiscard]] Home MakeHome(const HomeOptions& options);
+
+/// What is wrong with a home, one line a fault; empty for a valid one. Rooms must be simple,
+/// disjoint and apart by their walls; openings lie within a wall face (and within the face
+/// opposite), apart from each other; furniture stands inside its room, free of doors and other
+/// furniture; cameras stand in free space.
+[[nodiscard]] std::vector<std::string> HomeProblems(const Home& home);
+
+/// One face of a wall, from a to b with the room on its left.
+struct HomeWall {
+  int id = 0;
+  int room_id = 0;
+  Eigen::Vector2d a, b;
+
+  [[nodiscard]] Eigen::Vector2d Along() const { return (b - a).normalized(); }
+  [[nodiscard]] Eigen::Vector2d Inward() const { return {-Along().y(), Along().x()}; }
+};
+
+/// All wall faces, room by room, outer ring before holes; ids are the positions in the result.
+[[nodiscard]] std::vector<HomeWall> HomeWalls(const Home& home);
+
+/// Where an opening breaks a wall face: the interval of distances from wall.a, none when it does
+/// not. An opening between two rooms breaks one face of each.
+[[nodiscard]] std::optional<std::pair<double, double>> OpeningOnWall(const HomeOpening& opening,
+                                                                     const HomeWall& wall);
+
+}  // namespace enfilade

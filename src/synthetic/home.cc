@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/home.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "enfilade/base/check.h"
+#include "enfilade/geometry/angles.h"
+#include "src/synthetic/openings.h"
+#include "src/synthetic/placement.h"
+#include "src/synthetic/rooms.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3f;
+
+constexpr int kRoomsOfFlat = 3;
+
+void AddRooms(Home& home, const RoomLayout& layout, Random& random) {
+  const Vector2d shift =
+      Vector2d(random.Millimetres(-2, 2), random.Millimetres(-2, 2)) - 0.5 * layout.max;
+  const double floor_z = random.Millimetres(-0.3, 0.3);
+  for (const Ring2& ring : layout.rooms) {
+    HomeRoom room;
+    room.id = static_cast<int>(home.rooms.size());
+    for (const Vector2d& p : ring) room.polygon.outer.push_back(p + shift);
+    room.floor_z = floor_z;
+    room.ceiling_z = floor_z + random.Millimetres(2.3, 2.8);
+    home.rooms.push_back(room);
+  }
+}
+
+Vector3f FloorColour(FloorFinish finish, Random& random) {
+  static constexpr std::array<std::array<Vector3f::Scalar, 3>, 9> kColours = {
+      {{0.42f, 0.37f, 0.31f},
+       {0.33f, 0.33f, 0.33f},
+       {0.50f, 0.46f, 0.40f},  // carpets
+       {0.40f, 0.24f, 0.12f},
+       {0.52f, 0.36f, 0.21f},
+       {0.28f, 0.17f, 0.10f},  // planks
+       {0.55f, 0.53f, 0.50f},
+       {0.38f, 0.37f, 0.36f},
+       {0.62f, 0.57f, 0.50f}}};  // tiles
+  const auto& c = kColours[static_cast<size_t>(3 * static_cast<int>(finish) + random.Index(3))];
+  return Vector3f(c[0], c[1], c[2]) * static_cast<float>(random.Uniform(0.9, 1.1));
+}
+
+// The largest room is lived in; paint and floors follow from the use.
+void FitOutRooms(Home& home, Random& random) {
+  const auto largest = std::max_element(
+      home.rooms.begin(), home.rooms.end(),
+      [](const auto& a, const auto& b) { return Area(a.polygon) < Area(b.polygon); });
+  const float grey = static_cast<float>(random.Uniform(0.74, 0.82));
+  const FloorFinish common = random.Chance(0.5) ? FloorFinish::kPlanks : FloorFinish::kCarpet;
+  for (HomeRoom& room : home.rooms) {
+    const bool is_largest = room.id == largest->id;
+    room.use = is_largest            ? RoomUse::kLiving
+               : random.Chance(0.35) ? RoomUse::kKitchen
+                                     : RoomUse::kBedroom;
+    if (home.rooms.size() == 1 && random.Chance(0.5)) room.use = RoomUse::kBedroom;
+    room.floor_finish = room.use == RoomUse::kKitchen ? FloorFinish::kTiles : common;
+    room.floor_rgb = FloorColour(room.floor_finish, random);
+    const float warmth = static_cast<float>(random.Uniform(0.0, 0.05));
+    room.wall_rgb = grey * static_cast<float>(random.Uniform(0.96, 1.04)) *
+                    Vector3f(1.0f, 1.0f - 0.4f * warmth, 1.0f - warmth);
+  }
+}
+
+std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
+  Home home;
+  home.seed = static_cast<uint64_t>(options.seed);
+  const int num_rooms = options.preset == HomePreset::kRoom ? 1 : kRoomsOfFlat;
+  const std::optional<RoomLayout> layout = MakeRoomLayout(num_rooms, random);
+  if (!layout) return std::nullopt;
+  AddRooms(home, *layout, random);
+  FitOutRooms(home, random);
+  if (!AddDoors(home, layout->wall_thickness_m + 1e-6, random)) return std::nullopt;
+  if (!AddWindows(home, random)) return std::nullopt;
+  FurnishRooms(home, options.furniture, random);
+  if (!PlaceCameras(home, random)) return std::nullopt;
+  std::vector<float> radiance;
+  for (const HomeRoom& room : home.rooms) {
+    // About the same light on every floor, whatever its size.
+    radiance.push_back(static_cast<float>(random.Uniform(0.8, 1.2) * (6 + Area(room.polygon))));
+  }
+  HangLamps(home, radiance);
+  home.baseboard_m = random.Millimetres(0.06, 0.08);
+  const double heading_rad =
+      random.Uniform(DegToRad(3), DegToRad(42)) * (random.Chance(0.5) ? 1 : -1);
+  home.home_from_world.rotation = RotationZ(-heading_rad);
+  return home;
+}
+
+}  // namespace
+
+std::span<const std::string_view> EnumNames(HomePreset) {
+  static constexpr std::array<std::string_view, 2> kNames = {"room", "flat"};
+  return kNames;
+}
+
+Ring2 HomeBox::Footprint() const {
+  const Eigen::Rotation2Dd turn(yaw_rad);
+  const Vector2d half = 0.5 * size;
+  return {center - turn * half, center + turn * Vector2d(half.x(), -half.y()), center + turn * half,
+          center + turn * Vector2d(-half.x(), half.y())};
+}
+
+const HomeRoom& Home::RoomById(int id) const {
+  const auto it =
+      std::find_if(rooms.begin(), rooms.end(), [&](const HomeRoom& room) { return room.id == id; });
+  ENFILADE_CHECK(it != rooms.end());
+  return *it;
+}
+
+Rigid3 Home::WorldFromCamera(int camera_idx) const {
+  ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(cameras.size()));
+  return home_from_world.Inverse() * cameras[static_cast<size_t>(camera_idx)].home_from_cam;
+}
+
+Home MakeHome(const HomeOptions& options) {
+  HomeOptions checked = options;
+  ValidateOptions(VisitorOf(checked), "synthetic home");
+  constexpr uint64_t kAttempts = 200;
+  for (uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
+    Random random(PartSeed(static_cast<uint64_t>(options.seed), attempt));
+    const std::optional<Home> home = TryMakeHome(options, random);
+    if (home && HomeProblems(*home).empty()) return *home;
+  }
+  ENFILADE_CHECK_MSG(false, "no valid home for seed " + std::to_string(options.seed));
+}
+
+std::vector<HomeWall> HomeWalls(const Home& home) {
+  std::vector<HomeWall> walls;
+  const auto add_ring = [&](const HomeRoom& room, const Ring2& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      walls.push_back(
+          {static_cast<int>(walls.size()), room.id, ring[i], ring[(i + 1) % ring.size()]});
+    }
+  };
+  for (const HomeRoom& room : home.rooms) {
+    add_ring(room, room.polygon.outer);
+    for (const Ring2& hole : room.polygon.holes) add_ring(room, hole);
+  }
+  return walls;
+}
+
+std::optional<std::pair<double, double>> OpeningOnWall(const HomeOpening& opening,
+                                                       const HomeWall& wall) {
+  constexpr double kTolerance_m = 1e-4;
+  const bool is_own = opening.room_id == wall.room_id;
+  if (!is_own && opening.other_room_id != wall.room_id) return std::nullopt;
+  // On the other room's face the ends swap, so that its room is on the left again.
+  const Vector2d through = opening.thickness_m * opening.IntoWall();
+  const Vector2d from = is_own ? opening.a : opening.b + through;
+  const Vector2d to = is_own ? opening.b : opening.a + through;
+  const double begin_m = wall.Along().dot(from - wall.a), end_m = wall.Along().dot(to - wall.a);
+  const bool is_on_face = std::abs(wall.Inward().dot(from - wall.a)) < kTolerance_m &&
+                          std::abs(wall.Inward().dot(to - wall.a)) < kTolerance_m;
+  const bool is_within =
+      begin_m > -kTolerance_m && begin_m < end_m && end_m < (wall.b - wall.a).norm() + kTolerance_m;
+  if (!is_on_face || !is_within) return std::nullopt;
+  return std::pair(begin_m, end_m);
+}
+
+}  // namespace enfilade

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/synthetic/openings.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kDoorHeight_m = 2.0;
+constexpr double kCornerGap_m = 0.2;  // room for the door's frame
+constexpr double kOpeningGap_m = 0.3;
+constexpr double kOuterThickness_m = 0.28;
+
+double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// A new opening on [begin_m, end_m] of the wall.
+HomeOpening MakeOpening(const Home& home, const HomeWall& wall, double begin_m, double end_m) {
+  HomeOpening opening;
+  opening.id = static_cast<int>(home.openings.size());
+  opening.a = wall.a + begin_m * wall.Along();
+  opening.b = wall.a + end_m * wall.Along();
+  opening.room_id = wall.room_id;
+  const HomeRoom& room = home.RoomById(wall.room_id);
+  opening.sill_z = room.floor_z;
+  opening.head_z = room.floor_z + kDoorHeight_m;
+  return opening;
+}
+
+// Whether [begin_m, end_m] of the wall keeps its distance from the openings that are there.
+bool IsFree(const Home& home, const HomeWall& wall, double begin_m, double end_m) {
+  return std::none_of(home.openings.begin(), home.openings.end(), [&](const HomeOpening& opening) {
+    const auto taken = OpeningOnWall(opening, wall);
+    return taken && taken->first < end_m + kOpeningGap_m && taken->second > begin_m - kOpeningGap_m;
+  });
+}
+
+bool AddDoor(Home& home, const SharedWall& shared, DoorLeaf leaf, Random& random) {
+  const double width_m = random.Millimetres(0.80, 0.90);
+  const double slack_m = shared.end_m - shared.begin_m - width_m - 2 * kCornerGap_m;
+  if (slack_m < 0) return false;
+  const double begin_m = shared.begin_m + kCornerGap_m + random.Millimetres(0, slack_m);
+  if (!IsFree(home, shared.wall, begin_m, begin_m + width_m)) return false;
+  HomeOpening door = MakeOpening(home, shared.wall, begin_m, begin_m + width_m);
+  door.other_room_id = shared.other_room_id;
+  door.thickness_m = shared.thickness_m;
+  door.leaf = leaf;
+  door.leaf_angle_rad = leaf == DoorLeaf::kOpen ? random.Uniform(1.3, 1.75) : 0;
+  door.is_hinge_at_a = random.Chance(0.5);
+  home.openings.push_back(door);
+  return true;
+}
+
+template <typename T>
+void Shuffle(std::vector<T>& values, Random& random) {
+  for (size_t i = values.size(); i > 1; --i) {
+    std::swap(values[i - 1], values[static_cast<size_t>(random.Index(static_cast<int>(i)))]);
+  }
+}
+
+// Stretches of wall faces with no room behind them.
+std::vector<SharedWall> FindOuterWalls(const Home& home, const std::vector<SharedWall>& shared) {
+  std::vector<SharedWall> outer;
+  for (const HomeWall& wall : HomeWalls(home)) {
+    // Neighbours in front of this face, from either side of the pair.
+    std::vector<std::pair<double, double>> taken;
+    for (const SharedWall& s : shared) {
+      const Vector2d from = s.wall.a + s.begin_m * s.wall.Along(),
+                     to = s.wall.a + s.end_m * s.wall.Along();
+      const bool is_same_line = std::abs(Cross(wall.Along(), s.wall.Along())) < 1e-9 &&
+                                std::abs(wall.Inward().dot(from - wall.a)) < s.thickness_m + 1e-9;
+      if (!is_same_line) continue;
+      const double p = wall.Along().dot(from - wall.a), q = wall.Along().dot(to - wall.a);
+      taken.emplace_back(std::min(p, q) - s.thickness_m, std::max(p, q) + s.thickness_m);
+    }
+    std::sort(taken.begin(), taken.end());
+    double begin_m = 0;
+    taken.emplace_back((wall.b - wall.a).norm(), 1e9);
+    for (const auto& [from_m, to_m] : taken) {
+      const double end_m = std::min(from_m, (wall.b - wall.a).norm());
+      if (end_m - begin_m > 1.0) outer.push_back({wall, -1, begin_m, end_m, kOuterThickness_m});
+      begin_m = std::max(begin_m, to_m);
+    }
+  }
+  return outer;
+}
+
+// Only stretches with open country behind them: the way out must not pass another room.
+bool LooksOutside(const Home& home, const SharedWall& stretch) {
+  const Vector2d out = -stretch.wall.Inward();
+  for (double t : {0.02, 0.5, 0.98}) {
+    const Vector2d from =
+        stretch.wall.a + 1e-6 * out +
+        (stretch.begin_m + t * (stretch.end_m - stretch.begin_m)) * stretch.wall.Along();
+    for (const HomeRoom& room : home.rooms) {
+      if (std::isfinite(RayDistance(room.polygon.outer, from, out))) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<SharedWall> OuterStretches(const Home& home) {
+  std::vector<SharedWall> stretches = FindOuterWalls(home, FindSharedWalls(home, 0.5, 0.05));
+  std::erase_if(stretches, [&](const SharedWall& s) { return !LooksOutside(home, s); });
+  return stretches;
+}
+
+bool AddEntrance(Home& home, Random& random) {
+  std::vector<SharedWall> stretches = OuterStretches(home);
+  Shuffle(stretches, random);
+  for (const SharedWall& stretch : stretches) {
+    if (!AddDoor(home, stretch, DoorLeaf::kClosed, random)) continue;
+    home.openings.back().other_room_id = std::nullopt;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m,
+                                        double min_length_m) {
+  std::vector<SharedWall> shared;
+  const std::vector<HomeWall> walls = HomeWalls(home);
+  for (const HomeWall& wall : walls) {
+    for (const HomeWall& other : walls) {
+      if (other.room_id <= wall.room_id || wall.Along().dot(other.Along()) > -1 + 1e-9) continue;
+      const double thickness_m = -wall.Inward().dot(other.a - wall.a);
+      if (thickness_m < 1e-6 || thickness_m > max_thickness_m) continue;
+      // The other face runs the opposite way.
+      const double begin_m = std::max(0.0, wall.Along().dot(other.b - wall.a));
+      const double end_m = std::min((wall.b - wall.a).norm(), wall.Along().dot(other.a - wall.a));
+      if (end_m - begin_m >= min_length_m) {
+        shared.push_back({wall, other.room_id, begin_m, end_m, thickness_m});
+      }
+    }
+  }
+  return shared;
+}
+
+bool AddDoors(Home& home, double max_thickness_m, Random& random) {
+  std::vector<SharedWall> shared = FindSharedWalls(home, max_thickness_m, 1.25);
+  Shuffle(shared, random);
+  std::vector<int> group(home.rooms.size());
+  std::iota(group.begin(), group.end(), 0);
+  std::vector<SharedWall> rest;
+  for (const SharedWall& s : shared) {
+    const int from = group[static_cast<size_t>(s.wall.room_id)];
+    const int to = group[static_cast<size_t>(s.other_room_id)];
+    const DoorLeaf leaf = home.openings.size() % 2 == 0 ? DoorLeaf::kNone : DoorLeaf::kOpen;
+    if (from == to) {
+      rest.push_back(s);
+    } else if (AddDoor(home, s, leaf, random)) {
+      std::replace(group.begin(), group.end(), to, from);
+    }
+  }
+  if (std::any_of(group.begin(), group.end(), [&](int g) { return g != group[0]; })) return false;
+  for (const SharedWall& s : rest) {
+    if (random.Chance(0.7)) (void)AddDoor(home, s, DoorLeaf::kClosed, random);
+  }
+  return AddEntrance(home, random);
+}
+
+bool AddWindows(Home& home, Random& random) {
+  std::vector<SharedWall> stretches = OuterStretches(home);
+  Shuffle(stretches, random);
+  std::vector<int> num_windows(home.rooms.size(), 0);
+  std::vector<int> wanted(home.rooms.size());
+  for (int& w : wanted) w = random.Chance(0.92) ? 1 + static_cast<int>(random.Chance(0.4)) : 0;
+  for (const SharedWall& s : stretches) {
+    const auto room_idx = static_cast<size_t>(s.wall.room_id);
+    const double length_m = s.end_m - s.begin_m;
+    const double width_m = random.Millimetres(0.8, std::clamp(length_m - 0.6, 0.8, 1.9));
+    const double slack_m = length_m - width_m - 0.6;
+    if (num_windows[room_idx] >= wanted[room_idx] || slack_m < 0) continue;
+    const double begin_m = s.begin_m + 0.3 + random.Millimetres(0, slack_m);
+    if (!IsFree(home, s.wall, begin_m, begin_m + width_m)) continue;
+    HomeOpening window = MakeOpening(home, s.wall, begin_m, begin_m + width_m);
+    const HomeRoom& room = home.rooms[room_idx];
+    window.kind = OpeningKind::kWindow;
+    window.thickness_m = s.thickness_m;
+    window.sill_z = room.floor_z + random.Millimetres(0.80, 1.05);
+    window.head_z = std::min(room.floor_z + random.Millimetres(2.0, 2.25), room.ceiling_z - 0.12);
+    home.openings.push_back(window);
+    ++num_windows[room_idx];
+  }
+  return std::any_of(num_windows.begin(), num_windows.end(), [](int n) { return n > 0; });
+}
+
+}  // namespace enfilade

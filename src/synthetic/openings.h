@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "enfilade/synthetic/home.h"
+#include "src/synthetic/random.h"
+
+namespace enfilade {
+
+/// Two wall faces that look away from each other through one wall.
+struct SharedWall {
+  HomeWall wall;  ///< of the first room
+  int other_room_id = 0;
+  double begin_m = 0, end_m = 0;  ///< the shared stretch, along `wall` from wall.a
+  double thickness_m = 0;
+};
+
+/// Stretches at least `min_length_m` long where parallel faces of two different rooms are at most
+/// `max_thickness_m` apart; each pair of faces once, first room with the smaller id.
+[[nodiscard]] std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m,
+                                                      double min_length_m);
+
+/// Joins the rooms by doors (0.8–0.9 m wide, 2.0 m high): a random spanning tree of passable ones,
+/// the first without leaf, the second with an open leaf; then closed doors between other
+/// neighbours, and a closed entrance. Returns false when the rooms cannot be joined or no outer
+/// wall takes the entrance.
+[[nodiscard]] bool AddDoors(Home& home, double max_thickness_m, Random& random);
+
+/// One or two windows in the outer walls of most rooms. Returns false when none has one.
+[[nodiscard]] bool AddWindows(Home& home, Random& random);
+
+}  // namespace enfilade

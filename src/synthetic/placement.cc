@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/synthetic/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/boolean.h"
+#include "src/synthetic/furniture.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Rotation2Dd;
+using Eigen::Vector2d;
+
+constexpr double kWallGap_m = 0.025;  // clear of the baseboard
+constexpr double kItemGap_m = 0.08;
+constexpr double kDoorDepth_m = 0.9;
+constexpr double kLeafThickness_m = 0.04;
+constexpr double kCameraClearance_m = 0.65;
+constexpr double kCameraSpacing_m = 1.6;
+constexpr double kTwoCamerasArea_m2 = 13;
+constexpr double kMinOverlap_m2 = 1e-7;
+
+bool Overlap(const MultiPolygon2& a, const MultiPolygon2& b) {
+  return Area(Intersection(a, b)) > kMinOverlap_m2;
+}
+
+Ring2 RectangleRing(const Vector2d& low, const Vector2d& high, const Vector2d& origin,
+                    double yaw_rad) {
+  const Rotation2Dd turn(yaw_rad);
+  return {origin + turn * low, origin + turn * Vector2d(high.x(), low.y()), origin + turn * high,
+          origin + turn * Vector2d(low.x(), high.y())};
+}
+
+std::vector<Ring2> RingsOf(const Polygon2& polygon) {
+  std::vector<Ring2> rings = {polygon.outer};
+  rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+  return rings;
+}
+
+// Where a piece stands: its back's middle and its heading.
+struct Stand {
+  Vector2d origin;
+  double yaw_rad;
+};
+
+Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand, double margin_m) {
+  const double half = 0.5 * piece.footprint.x() + margin_m;
+  return RectangleRing({-half, -std::min(margin_m, 0.5 * kWallGap_m)},
+                       {half, piece.footprint.y() + margin_m}, stand.origin, stand.yaw_rad);
+}
+
+// The region of a room that furniture must leave free.
+struct RoomBlocks {
+  MultiPolygon2 everywhere;  ///< doors, furniture
+  MultiPolygon2 windows;     ///< in front of windows: low pieces only
+};
+
+RoomBlocks BlocksOf(const Home& home, const HomeRoom& room) {
+  RoomBlocks blocks;
+  for (const HomeOpening& opening : home.openings) {
+    if (opening.kind == OpeningKind::kWindow) {
+      const Vector2d in = -0.6 * opening.IntoWall();
+      if (opening.room_id == room.id) {
+        blocks.windows.push_back({{opening.b, opening.b + in, opening.a + in, opening.a}, {}});
+      }
+    } else {
+      for (Polygon2& part : DoorClearance(opening)) blocks.everywhere.push_back(std::move(part));
+    }
+  }
+  return blocks;
+}
+
+Stand RandomStand(const Home& home, const HomeRoom& room, const FurniturePiece& piece,
+                  Random& random) {
+  const std::vector<HomeWall> walls = HomeWalls(home);
+  std::vector<HomeWall> own;
+  std::copy_if(walls.begin(), walls.end(), std::back_inserter(own),
+               [&](const HomeWall& wall) { return wall.room_id == room.id; });
+  const HomeWall& wall = own[static_cast<size_t>(random.Index(static_cast<int>(own.size())))];
+  const double yaw_rad = std::atan2(wall.Along().y(), wall.Along().x());
+  const double along_m = random.Millimetres(0, (wall.b - wall.a).norm());
+  const double off_m = piece.is_against_wall ? kWallGap_m : random.Millimetres(0.3, 2.0);
+  return {wall.a + along_m * wall.Along() + off_m * wall.Inward(), yaw_rad};
+}
+
+void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, const Stand& stand,
+              int item) {
+  for (HomeBox box : piece.boxes) {
+    box.item = item;
+    box.room_id = room.id;
+    box.center = stand.origin + Rotation2Dd(stand.yaw_rad) * box.center;
+    box.yaw_rad = stand.yaw_rad;
+    box.z0 += room.floor_z;
+    box.z1 += room.floor_z;
+    home.boxes.push_back(box);
+  }
+}
+
+bool TryPlacePiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, int item,
+                   RoomBlocks& blocks, Random& random) {
+  constexpr int kTries = 60;
+  for (int i = 0; i < kTries; ++i) {
+    const Stand stand = RandomStand(home, room, piece, random);
+    const MultiPolygon2 footprint = {{PieceFootprint(piece, stand, 0), {}}};
+    if (Area(Difference(footprint, {room.polygon})) > kMinOverlap_m2) continue;
+    const MultiPolygon2 wide = {{PieceFootprint(piece, stand, kItemGap_m), {}}};
+    if (Overlap(wide, blocks.everywhere) || (piece.is_tall && Overlap(wide, blocks.windows)))
+      continue;
+    AddPiece(home, room, piece, stand, item);
+    blocks.everywhere.push_back(footprint[0]);
+    return true;
+  }
+  return false;
+}
+
+// The place on a 10 cm grid that is farthest from the polygon's boundary.
+Vector2d InnermostPlace(const Polygon2& polygon) {
+  Vector2d low = polygon.outer[0], high = low, best = low;
+  for (const Vector2d& p : polygon.outer) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  double best_m = 0;
+  for (double x = low.x() + 0.05; x < high.x(); x += 0.1) {
+    for (double y = low.y() + 0.05; y < high.y(); y += 0.1) {
+      if (!Contains(polygon, {x, y})) continue;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Ring2& ring : RingsOf(polygon)) {
+        for (size_t i = 0; i < ring.size(); ++i) {
+          nearest =
+              std::min(nearest, DistanceToSegment({x, y}, ring[i], ring[(i + 1) % ring.size()]));
+        }
+      }
+      if (nearest <= best_m + 1e-6) continue;
+      best_m = nearest;
+      best = {x, y};
+    }
+  }
+  return best;
+}
+
+// The clearest of many random places, none when all are too narrow or too near to `taken`.
+std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
+                                      const std::vector<Vector2d>& taken, Random& random) {
+  constexpr int kTries = 150;
+  Vector2d low = room.polygon.outer[0], high = low;
+  for (const Vector2d& p : room.polygon.outer) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  double best_m = kCameraClearance_m;
+  std::optional<Vector2d> best;
+  for (int i = 0; i < kTries; ++i) {
+    const Vector2d p(random.Millimetres(low.x(), high.x()), random.Millimetres(low.y(), high.y()));
+    // Beyond 1.2 m one place is as good as another: cameras need not stand in the middle.
+    const double clear_m = std::min(Clearance(home, room.id, p), random.Uniform(1.1, 1.2));
+    const bool is_apart = std::all_of(taken.begin(), taken.end(), [&](const Vector2d& q) {
+      return (p - q).norm() > kCameraSpacing_m;
+    });
+    if (!is_apart || clear_m <= best_m) continue;
+    best_m = clear_m;
+    best = p;
+  }
+  return best;
+}
+
+}  // namespace
+
+HomeBox OpenLeaf(const HomeOpening& door) {
+  // Closed, the leaf fills the hole flush with the room's face; it swings about its hinge into the
+  // room.
+  const Vector2d hinge = door.is_hinge_at_a ? door.a : door.b;
+  const Vector2d closed = (door.is_hinge_at_a ? door.b - door.a : door.a - door.b);
+  const double turn = door.is_hinge_at_a ? door.leaf_angle_rad : -door.leaf_angle_rad;
+  const Vector2d open = Rotation2Dd(turn) * closed;
+  HomeBox leaf;
+  leaf.item = -1;
+  leaf.room_id = door.room_id;
+  leaf.size = {closed.norm() - 0.02, kLeafThickness_m};
+  leaf.yaw_rad = std::atan2(open.y(), open.x());
+  leaf.center = hinge + 0.5 * open - 0.03 * door.IntoWall();
+  leaf.z0 = door.sill_z + 0.008;
+  leaf.z1 = door.head_z - 0.01;
+  leaf.rgb = {0.72f, 0.71f, 0.68f};
+  return leaf;
+}
+
+MultiPolygon2 DoorClearance(const HomeOpening& door) {
+  const Vector2d along = 0.1 * (door.b - door.a).normalized(), out = door.IntoWall();
+  const Vector2d back = -kDoorDepth_m * out, front = (door.thickness_m + kDoorDepth_m) * out;
+  // a → b has the room on its left, so back lies left of it.
+  MultiPolygon2 region = {{{door.a - along + front, door.b + along + front, door.b + along + back,
+                            door.a - along + back},
+                           {}}};
+  if (door.leaf == DoorLeaf::kOpen) region.push_back({OpenLeaf(door).Footprint(), {}});
+  return region;
+}
+
+void FurnishRooms(Home& home, double share, Random& random) {
+  int item = 0;
+  for (const HomeRoom& room : home.rooms) {
+    RoomBlocks blocks = BlocksOf(home, room);
+    for (const FurniturePiece& piece : FurnitureFor(room.use, random)) {
+      if (!random.Chance(share)) continue;
+      if (TryPlacePiece(home, room, piece, item, blocks, random)) ++item;
+    }
+  }
+}
+
+double Clearance(const Home& home, int room_id, const Vector2d& p) {
+  const HomeRoom& room = home.RoomById(room_id);
+  if (!Contains(room.polygon, p)) return -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto add_ring = [&](const Ring2& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      nearest = std::min(nearest, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
+    }
+  };
+  const auto add_box = [&](const HomeBox& box) {
+    const Ring2 ring = box.Footprint();
+    if (Contains(ring, p)) nearest = -1;
+    add_ring(ring);
+  };
+  for (const Ring2& ring : RingsOf(room.polygon)) add_ring(ring);
+  for (const HomeBox& box : home.boxes) {
+    if (box.room_id == room_id) add_box(box);
+  }
+  for (const HomeOpening& opening : home.openings) {
+    if (opening.leaf == DoorLeaf::kOpen) add_box(OpenLeaf(opening));
+  }
+  return nearest;
+}
+
+void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double azimuth_rad) {
+  HomeCamera camera;
+  const std::string number = std::to_string(home.cameras.size());
+  camera.picture =
+      "pano_" + std::string(3 - std::min<size_t>(number.size(), 3), '0') + number + ".jpg";
+  camera.room_id = room_id;
+  const double c = std::cos(azimuth_rad), s = std::sin(azimuth_rad);
+  camera.home_from_cam.rotation.col(0) = Eigen::Vector3d(s, -c, 0);
+  camera.home_from_cam.rotation.col(1) = Eigen::Vector3d(0, 0, -1);
+  camera.home_from_cam.rotation.col(2) = Eigen::Vector3d(c, s, 0);
+  camera.home_from_cam.translation = position;
+  home.cameras.push_back(camera);
+}
+
+void HangLamps(Home& home, const std::vector<float>& radiance) {
+  constexpr double kHang_m = 0.07;
+  for (size_t i = 0; i < home.rooms.size(); ++i) {
+    const HomeRoom& room = home.rooms[i];
+    const Vector2d p = InnermostPlace(room.polygon);
+    HomeLamp lamp;
+    lamp.room_id = room.id;
+    lamp.center = {p.x(), p.y(), room.ceiling_z - kHang_m};
+    lamp.radiance = radiance[i] * Eigen::Vector3f(1.0f, 0.86f, 0.70f);
+    home.lamps.push_back(lamp);
+  }
+}
+
+bool PlaceCameras(Home& home, Random& random) {
+  const double height_m = random.Millimetres(1.3, 1.6);
+  for (const HomeRoom& room : home.rooms) {
+    const int wanted = home.rooms.size() == 1 || Area(room.polygon) > kTwoCamerasArea_m2 ? 2 : 1;
+    std::vector<Vector2d> places;
+    while (static_cast<int>(places.size()) < wanted) {
+      const std::optional<Vector2d> place = ClearestPlace(home, room, places, random);
+      if (!place) break;
+      places.push_back(*place);
+    }
+    if (places.empty()) return false;
+    for (const Vector2d& p : places) {
+      const double z = room.floor_z + height_m + random.Uniform(-0.01, 0.01);
+      AddCamera(home, room.id, {p.x(), p.y(), z}, random.Uniform(-kPi, kPi));
+    }
+  }
+  return true;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/truth.h"
+
+#include <algorithm>
+
+#include "src/synthetic/openings.h"
+#include "src/synthetic/placement.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kHanging_m = 0.5;
+constexpr double kMaxThickness_m = 0.5;
+
+double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// The longest neighbour behind each wall face, by the face's id.
+void AddNeighbours(const Home& home, std::vector<Wall>& walls) {
+  std::vector<double> longest_m(walls.size(), 0);
+  const std::vector<HomeWall> faces = HomeWalls(home);
+  const auto offer = [&](size_t wall_idx, const SharedWall& shared, int other_room_id) {
+    const double length_m = shared.end_m - shared.begin_m;
+    if (length_m <= longest_m[wall_idx]) return;
+    longest_m[wall_idx] = length_m;
+    walls[wall_idx].other_room_id = other_room_id;
+    walls[wall_idx].thickness_m = shared.thickness_m;
+  };
+  for (const SharedWall& shared : FindSharedWalls(home, kMaxThickness_m, 0.05)) {
+    offer(static_cast<size_t>(shared.wall.id), shared, shared.other_room_id);
+    const Vector2d middle =
+        shared.wall.a + 0.5 * (shared.begin_m + shared.end_m) * shared.wall.Along();
+    for (const HomeWall& face : faces) {
+      const Vector2d across = middle - shared.thickness_m * shared.wall.Inward();
+      if (face.room_id == shared.other_room_id &&
+          DistanceToSegment(across, face.a, face.b) < 1e-6) {
+        offer(static_cast<size_t>(face.id), shared, shared.wall.room_id);
+      }
+    }
+  }
+}
+
+std::vector<Wall> TruthWalls(const Home& home) {
+  std::vector<Wall> walls;
+  for (const HomeWall& face : HomeWalls(home)) {
+    Wall wall;
+    wall.id = face.id;
+    wall.a = face.a;
+    wall.b = face.b;
+    wall.room_id = face.room_id;
+    wall.is_thickness_measured = true;
+    walls.push_back(wall);
+  }
+  AddNeighbours(home, walls);
+  return walls;
+}
+
+std::vector<Opening> TruthOpenings(const Home& home) {
+  std::vector<Opening> openings;
+  for (const HomeOpening& hole : home.openings) {
+    Opening opening;
+    opening.id = hole.id;
+    opening.kind = hole.kind;
+    opening.a = hole.a;
+    opening.b = hole.b;
+    opening.sill_z = hole.sill_z;
+    opening.head_z = hole.head_z;
+    opening.room_id = hole.room_id;
+    opening.other_room_id = hole.other_room_id;
+    for (const HomeWall& wall : HomeWalls(home)) {
+      if (wall.room_id == hole.room_id && OpeningOnWall(hole, wall)) opening.wall_id = wall.id;
+    }
+    openings.push_back(opening);
+  }
+  return openings;
+}
+
+// The parts of a wall face that no passable opening breaks.
+void AddSolidParts(const Home& home, const HomeWall& wall, std::vector<PlanSegment>& segments) {
+  std::vector<std::pair<double, double>> gaps;
+  for (const HomeOpening& opening : home.openings) {
+    const auto gap = OpeningOnWall(opening, wall);
+    if (gap && opening.IsPassable()) gaps.push_back(*gap);
+  }
+  const double length_m = (wall.b - wall.a).norm();
+  gaps.emplace_back(length_m, length_m);
+  std::sort(gaps.begin(), gaps.end());
+  double begin_m = 0;
+  for (const auto& [from_m, to_m] : gaps) {
+    if (from_m - begin_m > 1e-9) {
+      segments.push_back(
+          {wall.a + begin_m * wall.Along(), wall.a + from_m * wall.Along(), wall.room_id, wall.id});
+    }
+    begin_m = to_m;
+  }
+}
+
+void AddRing(const Ring2& ring, int room_id, std::vector<PlanSegment>& segments) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    segments.push_back({ring[i], ring[(i + 1) % ring.size()], room_id, -1});
+  }
+}
+
+}  // namespace
+
+Floorplan TruthFloorplan(const Home& home) {
+  Floorplan plan;
+  plan.home_from_world = home.home_from_world;
+  Storey storey;
+  storey.floor_z = home.rooms.empty() ? 0 : home.rooms[0].floor_z;
+  for (const HomeRoom& room : home.rooms) {
+    storey.rooms.push_back({room.id, room.polygon, room.floor_z, room.ceiling_z, 0});
+  }
+  storey.walls = TruthWalls(home);
+  storey.openings = TruthOpenings(home);
+  plan.storeys.push_back(std::move(storey));
+  for (size_t i = 0; i < home.cameras.size(); ++i) {
+    PlanCamera camera;
+    camera.picture = home.cameras[i].picture;
+    camera.world_from_cam = home.WorldFromCamera(static_cast<int>(i));
+    plan.cameras.push_back(camera);
+  }
+  return plan;
+}
+
+PlanSegments MakePlanSegments(const Home& home) {
+  PlanSegments segments;
+  for (const HomeWall& wall : HomeWalls(home)) AddSolidParts(home, wall, segments.walls);
+  for (const HomeOpening& opening : home.openings) {
+    if (opening.leaf == DoorLeaf::kOpen) {
+      AddRing(OpenLeaf(opening).Footprint(), opening.room_id, segments.obstacles);
+    }
+    if (!opening.IsPassable()) continue;
+    const Vector2d through = opening.thickness_m * opening.IntoWall();
+    segments.walls.push_back({opening.a, opening.a + through, opening.room_id, -1});
+    segments.walls.push_back({opening.b + through, opening.b, opening.room_id, -1});
+  }
+  for (const HomeBox& box : home.boxes) {
+    if (box.z0 - home.RoomById(box.room_id).floor_z > kHanging_m) continue;
+    AddRing(box.Footprint(), box.room_id, segments.obstacles);
+  }
+  return segments;
+}
+
+std::optional<PlanHit> CastPlanRay(const std::vector<PlanSegment>& segments, const Vector2d& origin,
+                                   const Vector2d& direction) {
+  std::optional<PlanHit> nearest;
+  for (size_t i = 0; i < segments.size(); ++i) {
+    const Vector2d to_a = segments[i].a - origin, edge = segments[i].b - segments[i].a;
+    const double denominator = Cross(direction, edge);
+    if (denominator == 0) continue;
+    const double distance_m = Cross(to_a, edge) / denominator;
+    const double along = Cross(to_a, direction) / denominator;
+    if (distance_m < 0 || along < 0 || along > 1) continue;
+    if (!nearest || distance_m < nearest->distance_m)
+      nearest = PlanHit{distance_m, static_cast<int>(i)};
+  }
+  return nearest;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/fixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "enfilade/geometry/angles.h"
+#include "enfilade/synthetic/text_home.h"
+
+namespace enfilade {
+namespace {
+
+TEST(FixtureStructure, ProfileOfAClosedRoomIsItsOutline) {
+  TextHomeOptions options;
+  options.heading_rad = -0.4;
+  options.floor_z = 0.2;
+  const Home home = TextHome("room 0,0 4,0 4,3 0,3 | box 3,1 3.6,2 | camera 1,1.5", options);
+  const Structure structure = FixtureStructure(home);
+  EXPECT_NEAR(structure.heading_rad, -0.4, 1e-12);
+  EXPECT_DOUBLE_EQ(structure.storeys[0].floor_z, 0.2);
+  ASSERT_EQ(structure.profiles.size(), 1u);
+  const WallProfile& profile = structure.profiles[0];
+  const int num_bins = profile.wall_probability.cols();
+  for (int c = 0; c < profile.num_columns(); ++c) {
+    const double azimuth = AzimuthOfColumn(c, profile.num_columns());
+    const Eigen::Vector2d direction(std::cos(azimuth), std::sin(azimuth));
+    const double expected_m = RayDistance(home.rooms[0].polygon.outer, {1, 1.5}, direction);
+    const auto i = static_cast<size_t>(c);
+    EXPECT_NEAR(profile.wall_m[i], expected_m, 1e-5);
+    EXPECT_LE(profile.obstacle_m[i], profile.wall_m[i]);
+    const float* row = profile.wall_probability.row(c);
+    EXPECT_NEAR(std::accumulate(row, row + num_bins, 0.0), 1, 1e-4);
+    const auto best = static_cast<size_t>(std::max_element(row, row + num_bins) - row);
+    EXPECT_NEAR(structure.bin_m[best], expected_m, 0.01 * expected_m);  // half a bin
+  }
+  EXPECT_NEAR(profile.obstacle_m[256], 2, 0.01);  // straight into the box
+}
+
+TEST(FixtureScene, PosesAreThoseOfTheHome) {
+  TextHomeOptions options;
+  options.heading_rad = 0.25;
+  const Home home = TextHome("room 0,0 4,0 4,3 0,3 | camera 1,2", options);
+  const Scene scene = FixtureScene(home, 512, 256);
+  ASSERT_EQ(scene.views.size(), 1u);
+  const Rigid3 home_from_cam = home.home_from_world * scene.views[0].world_from_cam;
+  EXPECT_NEAR((home_from_cam.translation - Eigen::Vector3d(1, 2, 1.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((home_from_cam.rotation * Eigen::Vector3d(0, 1, 0)).z(), -1, 1e-12);  // y down
+  EXPECT_EQ(scene.views[0].camera.width, 512);
+}
+
+}  // namespace
+}  // namespace enfilade

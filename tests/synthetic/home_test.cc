@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/home.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/geometry/angles.h"
+
+namespace enfilade {
+namespace {
+
+using ::testing::IsEmpty;
+
+Home Make(int seed, HomePreset preset) {
+  HomeOptions options;
+  options.seed = seed;
+  options.preset = preset;
+  return MakeHome(options);
+}
+
+std::set<int> ReachableRooms(const Home& home) {
+  std::set<int> reached = {home.rooms[0].id};
+  for (size_t pass = 0; pass < home.rooms.size(); ++pass) {
+    for (const HomeOpening& opening : home.openings) {
+      if (!opening.IsPassable()) continue;
+      if (reached.count(opening.room_id) + reached.count(*opening.other_room_id) == 0) continue;
+      reached.insert({opening.room_id, *opening.other_room_id});
+    }
+  }
+  return reached;
+}
+
+void ExpectPromisedOpenings(const Home& home) {
+  int num_leafless = 0, num_open = 0, num_closed = 0, num_windows = 0;
+  for (const HomeOpening& opening : home.openings) {
+    const double width_m = (opening.b - opening.a).norm();
+    if (opening.kind == OpeningKind::kWindow) {
+      ++num_windows;
+      continue;
+    }
+    EXPECT_GE(width_m, 0.8 - 1e-9);
+    EXPECT_LE(width_m, 0.9 + 1e-9);
+    EXPECT_NEAR(opening.head_z - opening.sill_z, 2.0, 1e-9);
+    num_leafless += opening.leaf == DoorLeaf::kNone;
+    num_open += opening.leaf == DoorLeaf::kOpen;
+    num_closed += opening.leaf == DoorLeaf::kClosed;
+  }
+  EXPECT_GE(num_leafless, 1);
+  EXPECT_GE(num_open, 1);
+  EXPECT_GE(num_closed, 1);
+  EXPECT_GE(num_windows, 1);
+}
+
+void ExpectPromisedCameras(const Home& home) {
+  std::vector<int> num_cameras(home.rooms.size(), 0);
+  for (const HomeCamera& camera : home.cameras) {
+    ++num_cameras[static_cast<size_t>(camera.room_id)];
+    const double height_m =
+        camera.home_from_cam.translation.z() - home.RoomById(camera.room_id).floor_z;
+    EXPECT_GE(height_m, 1.29);
+    EXPECT_LE(height_m, 1.61);
+  }
+  for (const int n : num_cameras) {
+    EXPECT_GE(n, 1);
+    EXPECT_LE(n, 2);
+  }
+}
+
+TEST(MakeHome, FlatsHoldWhatThePresetPromisesOver200Seeds) {
+  int num_l_shapes = 0, num_two_cameras = 0, num_boxes = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kFlat);
+    ASSERT_THAT(HomeProblems(home), IsEmpty());
+    EXPECT_EQ(home.rooms.size(), 3u);
+    EXPECT_EQ(ReachableRooms(home).size(), 3u);
+    ExpectPromisedOpenings(home);
+    ExpectPromisedCameras(home);
+    num_two_cameras += home.cameras.size() > 3;
+    for (const HomeRoom& room : home.rooms) num_l_shapes += room.polygon.outer.size() == 6;
+    num_boxes += static_cast<int>(home.boxes.size());
+    const Eigen::Matrix3d& r = home.home_from_world.rotation;
+    EXPECT_GE(std::abs(WrapQuarter(std::atan2(r(1, 0), r(0, 0)))), DegToRad(2.9));
+  }
+  EXPECT_GE(num_l_shapes, 40);
+  EXPECT_GE(num_two_cameras, 100);
+  EXPECT_GE(num_boxes, 200 * 10);
+}
+
+TEST(MakeHome, SingleRoomsAreValidOver200Seeds) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kRoom);
+    ASSERT_THAT(HomeProblems(home), IsEmpty());
+    EXPECT_EQ(home.rooms.size(), 1u);
+    ExpectPromisedCameras(home);
+  }
+}
+
+TEST(MakeHome, SameSeedSameHomeOtherSeedOtherHome) {
+  const Home a = Make(5, HomePreset::kFlat), b = Make(5, HomePreset::kFlat);
+  const Home c = Make(6, HomePreset::kFlat);
+  EXPECT_EQ(a.rooms[0].polygon.outer, b.rooms[0].polygon.outer);
+  EXPECT_EQ(a.cameras[0].home_from_cam.translation, b.cameras[0].home_from_cam.translation);
+  EXPECT_NE(a.rooms[0].polygon.outer, c.rooms[0].polygon.outer);
+}
+
+TEST(MakeHome, FurnitureShareZeroLeavesRoomsEmpty) {
+  HomeOptions options;
+  options.furniture = 0;
+  EXPECT_THAT(MakeHome(options).boxes, IsEmpty());
+}
+
+TEST(MakeHome, RefusesOptionsOutOfRange) {
+  HomeOptions options;
+  options.furniture = 1.5;
+  EXPECT_THROW((void)MakeHome(options), InvalidInputError);
+  options.furniture = 0.5;
+  options.seed = -1;
+  EXPECT_THROW((void)MakeHome(options), InvalidInputError);
+}
+
+TEST(HomeWalls, RoomLiesOnTheLeftAndOpeningsBreakBothFaces) {
+  const Home home = Make(3, HomePreset::kFlat);
+  const std::vector<HomeWall> walls = HomeWalls(home);
+  for (const HomeWall& wall : walls) {
+    const Eigen::Vector2d beside = 0.5 * (wall.a + wall.b) + 0.01 * wall.Inward();
+    EXPECT_TRUE(Contains(home.RoomById(wall.room_id).polygon, beside));
+  }
+  for (const HomeOpening& opening : home.openings) {
+    int num_faces = 0;
+    for (const HomeWall& wall : walls) {
+      const auto on = OpeningOnWall(opening, wall);
+      if (!on) continue;
+      ++num_faces;
+      EXPECT_NEAR(on->second - on->first, (opening.b - opening.a).norm(), 1e-9);
+    }
+    EXPECT_EQ(num_faces, opening.other_room_id ? 2 : 1);
+  }
+}
+
+}  // namespace
+}  // namespace enfilade
