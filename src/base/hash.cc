@@ -5,11 +5,10 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <fstream>
 #include <memory>
 
 #include "enfilade/base/check.h"
-#include "enfilade/base/errors.h"
+#include "enfilade/base/file.h"
 
 namespace enfilade {
 namespace {
@@ -45,15 +44,12 @@ std::string Sha256(std::string_view bytes) {
 }
 
 std::string Sha256OfFile(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  constexpr size_t kBlockBytes = size_t{1} << 18;
+  const FileReader file(path);
   Hasher hasher;
-  std::array<char, 1 << 16> block{};
-  while (file) {
-    file.read(block.data(), block.size());
-    hasher.Add({block.data(), static_cast<size_t>(file.gcount())});
+  for (uint64_t offset = 0; offset < file.size(); offset += kBlockBytes) {
+    hasher.Add(file.ReadAt(offset, kBlockBytes));
   }
-  if (!file.eof())
-    throw IoError(path.native(), "cannot be read", "check that it is a readable file");
   return hasher.Finish();
 }
 

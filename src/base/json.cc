@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "enfilade/base/errors.h"
@@ -40,6 +41,9 @@ Json ReadJsonFile(const std::filesystem::path& path, uint64_t max_bytes) {
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     throw InvalidInputError(path.native(), "is no valid JSON (line " + std::to_string(line) + ")",
                             text.empty() ? "the file is empty" : "check that the file is complete");
+  } catch (const Json::out_of_range&) {
+    throw InvalidInputError(path.native(), "holds a number that is too large",
+                            "write numbers below 1e308");
   }
 }
 
@@ -57,7 +61,13 @@ double JsonNumber(const Json& object, const char* key, const std::string& where)
 }
 
 int64_t JsonInteger(const Json& object, const char* key, const std::string& where) {
-  return Member(object, key, where, &Json::is_number_integer, "a whole number").get<int64_t>();
+  const Json& member = Member(object, key, where, &Json::is_number_integer, "a whole number");
+  if (member.is_number_unsigned() &&
+      member.get<uint64_t>() > uint64_t{std::numeric_limits<int64_t>::max()}) {
+    throw InvalidInputError(where, std::string("key '") + key + "' is too large",
+                            "write whole numbers below 2^63");
+  }
+  return member.get<int64_t>();
 }
 
 std::string JsonString(const Json& object, const char* key, const std::string& where) {

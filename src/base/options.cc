@@ -87,6 +87,7 @@ std::string RangeText(const OptionInfo& info) {
 
 std::string Expectation(const OptionInfo& info) {
   if (info.type == "bool") return "true or false";
+  if (info.type == "text") return "a text in UTF-8";
   if (info.type == "choice") return fmt::format("one of {}", fmt::join(info.choices, ", "));
   const std::string noun = info.type == "int" ? "a whole number" : "a number";
   const std::string range = RangeText(info);
@@ -160,17 +161,6 @@ bool HasRightType(const OptionInfo& info, const Json& json) {
   return json.is_string();
 }
 
-void Flatten(const Json& json, const std::string& prefix,
-             std::vector<std::pair<std::string, const Json*>>& leaves) {
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_object()) {
-      Flatten(value, prefix + key + ".", leaves);
-    } else {
-      leaves.emplace_back(prefix + key, &value);
-    }
-  }
-}
-
 size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> row(b.size() + 1);
   for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -204,6 +194,43 @@ const OptionInfo& FindOption(const std::vector<OptionInfo>& infos, std::string_v
   return *it;
 }
 
+// Options whose path starts with `prefix`; none for a group that does not exist.
+bool IsGroup(const std::vector<OptionInfo>& infos, const std::string& prefix) {
+  return std::any_of(infos.begin(), infos.end(),
+                     [&](const OptionInfo& info) { return info.path.starts_with(prefix); });
+}
+
+// Goes down only into groups that exist, so that a deeply nested file cannot exhaust the stack.
+void SetFromJson(const VisitFunction& options, const std::vector<OptionInfo>& infos,
+                 const Json& json, const std::string& prefix, const std::string& where) {
+  for (const auto& [key, value] : json.items()) {
+    const std::string path = prefix + key;
+    if (value.is_object() && IsGroup(infos, path + ".")) {
+      SetFromJson(options, infos, value, path + ".", where);
+      continue;
+    }
+    const OptionInfo& info = FindOption(infos, path, where);
+    if (!HasRightType(info, value)) {
+      ThrowBadValue(where, path, value.is_structured() ? value.type_name() : JsonToText(value),
+                    Expectation(info));
+    }
+    SetOption(options, path, JsonToText(value), where);
+  }
+}
+
+double ParseReal(const std::string& text) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+std::string EscapeTableCell(std::string text) {
+  for (size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2)) {
+    text.insert(i, "\\");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<OptionInfo> ListOptions(const VisitFunction& options) {
@@ -228,28 +255,24 @@ Json OptionsToJson(const VisitFunction& options) {
     std::string pointer = "/" + info.path;
     std::replace(pointer.begin(), pointer.end(), '.', '/');
     const bool is_word = info.type == "text" || info.type == "choice";
-    json[Json::json_pointer(pointer)] = is_word ? Json(info.value) : Json::parse(info.value);
+    const Json value = is_word ? Json(info.value) : Json::parse(info.value, nullptr, false);
+    ENFILADE_CHECK_MSG(!value.is_discarded(), info.path + " = " + info.value);
+    json[Json::json_pointer(pointer)] = value;
   }
   return json;
 }
 
 void OptionsFromJson(const VisitFunction& options, const Json& json, const std::string& where) {
-  if (!json.is_object())
+  if (!json.is_object()) {
     throw InvalidInputError(where, "options are no JSON object", "see 'enfilade config'");
-  std::vector<std::pair<std::string, const Json*>> leaves;
-  Flatten(json, "", leaves);
-  const std::vector<OptionInfo> infos = ListOptions(options);
-  for (const auto& [path, value] : leaves) {
-    const OptionInfo& info = FindOption(infos, path, where);
-    if (!HasRightType(info, *value)) ThrowBadValue(where, path, value->dump(), Expectation(info));
-    SetOption(options, path, JsonToText(*value), where);
   }
+  SetFromJson(options, ListOptions(options), json, "", where);
 }
 
 void ValidateOptions(const VisitFunction& options, const std::string& where) {
   for (const OptionInfo& info : ListOptions(options)) {
     if (info.type != "int" && info.type != "real") continue;
-    if (!InRange(std::stod(info.value), info.range)) {
+    if (!InRange(ParseReal(info.value), info.range)) {
       ThrowBadValue(where, info.path, info.value, Expectation(info));
     }
   }
@@ -260,8 +283,8 @@ std::string OptionsReference(const VisitFunction& options) {
   for (const OptionInfo& info : ListOptions(options)) {
     const std::string range =
         info.choices.empty() ? RangeText(info) : fmt::format("{}", fmt::join(info.choices, ", "));
-    page += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.path, info.type, info.value, range,
-                        info.help);
+    page += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.path, info.type,
+                        EscapeTableCell(info.value), range, EscapeTableCell(info.help));
   }
   return page;
 }

@@ -70,17 +70,20 @@ void RunContext::CheckStop() const {
 
 void ParallelFor(RunContext& context, std::string_view what, int64_t count,
                  const std::function<void(int64_t)>& body) {
+  ENFILADE_CHECK(count >= 0);
   ProgressCounter progress(context.progress_sink(), what, count);
   std::atomic<int64_t> next{0};
   std::mutex error_mutex;
   std::exception_ptr error;
   int64_t error_idx = count;
 
+  // Indices are handed out in order, so when one throws all lower ones were started and will end.
   const auto work = [&] {
     for (int64_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
       try {
         context.CheckStop();
         body(i);
+        progress.Step();
       } catch (...) {
         const std::lock_guard lock(error_mutex);
         if (i < error_idx) {
@@ -90,7 +93,6 @@ void ParallelFor(RunContext& context, std::string_view what, int64_t count,
         next.store(count);
         return;
       }
-      progress.Step();
     }
   };
 

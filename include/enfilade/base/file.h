@@ -11,6 +11,27 @@
 
 namespace enfilade {
 
+/// A regular file opened for reading in pieces: for hashes and for headers of large files.
+class FileReader {
+ public:
+  /// Throws IoError when the file is missing, no regular file or unreadable. Never blocks (named
+  /// pipes are refused).
+  explicit FileReader(const std::filesystem::path& path);
+  ~FileReader();
+  FileReader(const FileReader&) = delete;
+  FileReader& operator=(const FileReader&) = delete;
+
+  [[nodiscard]] uint64_t size() const { return size_; }
+
+  /// The bytes [offset, offset + count), fewer at the end of the file. Throws IoError.
+  [[nodiscard]] std::string ReadAt(uint64_t offset, size_t count) const;
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  uint64_t size_ = 0;
+};
+
 /// The whole content of a regular file.
 ///
 /// Throws IoError when the file is missing, no regular file or unreadable, InvalidInputError when
@@ -21,7 +42,7 @@ namespace enfilade {
 
 /// Writes `bytes` to a temporary file beside `path`, flushes it to disk and renames it. After a
 /// crash or a full disk `path` holds the old content or the new, never a part. Creates missing
-/// parent folders. Throws IoError.
+/// parent folders. A symbolic link at `path` is replaced, not followed. Throws IoError.
 void WriteFileAtomic(const std::filesystem::path& path, std::string_view bytes);
 
 /// As above for writers that need a path (image codecs): `write` gets the temporary path, which has

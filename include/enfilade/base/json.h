@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -10,7 +11,7 @@
 namespace enfilade {
 
 /// Reads and parses a JSON file. Throws IoError, or InvalidInputError with the line of the first
-/// syntax error; files over `max_bytes` are refused.
+/// syntax error, or when a number is too large for a double; files over `max_bytes` are refused.
 [[nodiscard]] nlohmann::json ReadJsonFile(const std::filesystem::path& path,
                                           uint64_t max_bytes = uint64_t{1} << 28);
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <span>
@@ -107,10 +106,11 @@ struct OptionInfo {
 void SetOption(const VisitFunction& options, std::string_view path, std::string_view value,
                const std::string& where);
 
-/// Nested JSON object of all fields.
+/// Nested JSON object of all fields, which must be valid.
 [[nodiscard]] nlohmann::json OptionsToJson(const VisitFunction& options);
 
-/// Sets the fields that `json` names; the others keep their values. Same errors as SetOption.
+/// Sets the fields that `json` names; the others keep their values. Same errors as SetOption; then
+/// the fields before the wrong one may be set already.
 void OptionsFromJson(const VisitFunction& options, const nlohmann::json& json,
                      const std::string& where);
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "enfilade/base/log.h"
 
@@ -58,8 +59,9 @@ class RunContext {
 
 /// Runs body(0) … body(count − 1), each once, on up to context.num_threads() threads; the order is
 /// unspecified, so bodies write only to what belongs to their index. Reports progress under
-/// `what` (none when empty) and honours stop between bodies. If bodies throw, the exception of the
-/// lowest index that was run is rethrown after all threads ended.
+/// `what` (none when empty) and honours stop between bodies. If bodies throw, no further ones are
+/// started, and the exception of the lowest throwing index is rethrown after all threads ended:
+/// the same one for any number of threads.
 void ParallelFor(RunContext& context, std::string_view what, int64_t count,
                  const std::function<void(int64_t)>& body);
 
