@@ -40,7 +40,7 @@ class Geos {
   [[nodiscard]] Geometry FromRegion(const MultiPolygon2& region) const {
     std::vector<GEOSGeometry*> parts;
     for (const Polygon2& polygon : region) {
-      if (polygon.outer.size() >= 3) parts.push_back(FromPolygon(polygon).release());
+      if (polygon.outer.size() >= 3) ClonePolygons(FromPolygon(polygon).get(), parts);
     }
     const Geometry raw = Own(GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, parts.data(),
                                                          static_cast<unsigned>(parts.size())));
@@ -82,6 +82,16 @@ class Geos {
     const Geometry raw = Own(GEOSGeom_createPolygon_r(
         context_, FromRing(polygon.outer), holes.data(), static_cast<unsigned>(holes.size())));
     return Own(GEOSMakeValid_r(context_, raw.get()));
+  }
+
+  // Making a ring valid may leave lines where it folds back or has no area: only polygons are kept.
+  void ClonePolygons(const GEOSGeometry* geometry, std::vector<GEOSGeometry*>& polygons) const {
+    const int type = GEOSGeomTypeId_r(context_, geometry);
+    if (type == GEOS_POLYGON) polygons.push_back(GEOSGeom_clone_r(context_, geometry));
+    if (type != GEOS_MULTIPOLYGON && type != GEOS_GEOMETRYCOLLECTION) return;
+    for (int i = 0; i < GEOSGetNumGeometries_r(context_, geometry); ++i) {
+      ClonePolygons(GEOSGetGeometryN_r(context_, geometry, i), polygons);
+    }
   }
 
   [[nodiscard]] Ring2 ToRing(const GEOSGeometry* geometry, bool counter_clockwise) const {
@@ -147,7 +157,7 @@ MultiPolygon2 CloseRegion(const MultiPolygon2& region, double radius_m, double m
     std::erase_if(polygon.holes,
                   [&](const Ring2& hole) { return std::abs(SignedArea(hole)) < max_hole_m2; });
   }
-  return closed;
+  return Union(closed);  // a filled hole may have held another part
 }
 
 double AreaIou(const MultiPolygon2& a, const MultiPolygon2& b) {

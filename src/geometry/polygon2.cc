@@ -3,6 +3,8 @@
 #include "enfilade/geometry/polygon2.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -26,6 +28,19 @@ bool OnSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   return Orientation(a, b, p) == 0 && p.x() >= std::min(a.x(), b.x()) &&
          p.x() <= std::max(a.x(), b.x()) && p.y() >= std::min(a.y(), b.y()) &&
          p.y() <= std::max(a.y(), b.y());
+}
+
+// The whole of `text` as a number.
+double ParseCoordinate(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  ENFILADE_CHECK_MSG(error == std::errc() && end == text.data() + text.size(), std::string(text));
+  return value;
+}
+
+std::string CoordinateToText(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 bool SegmentsTouch(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
@@ -94,12 +109,13 @@ double RayDistance(const Ring2& ring, const Vector2d& origin, const Vector2d& di
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vector2d a = ring[i] - origin;
-    const Vector2d edge = ring[(i + 1) % ring.size()] - ring[i];
-    const double denominator = Cross(direction, edge);
-    if (denominator == 0) continue;
-    const double distance = Cross(a, edge) / denominator;
-    const double along = Cross(a, direction) / denominator;
-    if (distance >= 0 && along >= 0 && along <= 1) nearest = std::min(nearest, distance);
+    const Vector2d b = ring[(i + 1) % ring.size()] - origin;
+    // A vertex is on the same side for both of its edges, so the edges leave no gap.
+    const double side_a = Cross(direction, a), side_b = Cross(direction, b);
+    if ((side_a > 0) == (side_b > 0)) continue;
+    const double t = side_a / (side_a - side_b);
+    const double distance = (1 - t) * direction.dot(a) + t * direction.dot(b);
+    if (distance >= 0) nearest = std::min(nearest, distance);
   }
   return nearest;
 }
@@ -144,17 +160,20 @@ Ring2 ParseRing(std::string_view text) {
   while (stream >> vertex) {
     const size_t comma = vertex.find(',');
     ENFILADE_CHECK_MSG(comma != std::string::npos, vertex);
-    ring.emplace_back(std::stod(vertex.substr(0, comma)), std::stod(vertex.substr(comma + 1)));
+    const std::string_view view = vertex;
+    ring.emplace_back(ParseCoordinate(view.substr(0, comma)),
+                      ParseCoordinate(view.substr(comma + 1)));
   }
   return ring;
 }
 
 std::string RingToText(const Ring2& ring) {
-  std::ostringstream stream;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    stream << (i > 0 ? " " : "") << ring[i].x() << ',' << ring[i].y();
+  std::string text;
+  for (const Vector2d& p : ring) {
+    if (!text.empty()) text += ' ';
+    text += CoordinateToText(p.x()) + ',' + CoordinateToText(p.y());
   }
-  return stream.str();
+  return text;
 }
 
 }  // namespace enfilade

@@ -30,8 +30,12 @@ void InsertRing(const Ring2& ring, Cdt& cdt, std::vector<Eigen::Vector2d>& verti
     handles.back()->info() = static_cast<int>(vertices.size());
     vertices.push_back(p);
   }
-  for (size_t i = 0; i < handles.size(); ++i) {
-    cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
+  try {
+    for (size_t i = 0; i < handles.size(); ++i) {
+      cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
+    }
+  } catch (const Cdt::Intersection_of_constraints_exception&) {
+    ENFILADE_CHECK_MSG(false, "edges cross");
   }
 }
 

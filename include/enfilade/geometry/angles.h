@@ -14,12 +14,14 @@ inline constexpr double kPi = std::numbers::pi;
 
 /// The angle modulo 2π in [−π, π).
 [[nodiscard]] inline double WrapPi(double rad) {
-  return rad - 2.0 * kPi * std::floor((rad + kPi) / (2.0 * kPi));
+  const double wrapped = rad - 2.0 * kPi * std::floor((rad + kPi) / (2.0 * kPi));
+  return wrapped >= kPi ? -kPi : wrapped;  // just below −π, rounding gives +π
 }
 
 /// The angle modulo π/2 in [−π/4, π/4): the heading of a Manhattan frame.
 [[nodiscard]] inline double WrapQuarter(double rad) {
-  return rad - 0.5 * kPi * std::floor(rad / (0.5 * kPi) + 0.5);
+  const double wrapped = rad - 0.5 * kPi * std::floor(rad / (0.5 * kPi) + 0.5);
+  return wrapped >= 0.25 * kPi ? -0.25 * kPi : wrapped;
 }
 
 }  // namespace enfilade

@@ -37,12 +37,14 @@ using MultiPolygon2 = std::vector<Polygon2>;
                                        const Eigen::Vector2d& b);
 
 /// Distance along the unit `direction` from `origin` to the first crossing of the ring; infinity
-/// when there is none.
+/// when there is none. From inside there is always one: a ray into a corner cannot slip between the
+/// two edges. A ray that only touches the ring, or runs along an edge, may pass it.
 [[nodiscard]] double RayDistance(const Ring2& ring, const Eigen::Vector2d& origin,
                                  const Eigen::Vector2d& direction);
 
 /// The ring without vertices that repeat their predecessor within `tolerance_m` or lie on the
-/// straight line between their neighbours within it.
+/// segment between their neighbours within it, taken away one by one. A ring without area shrinks
+/// to two vertices. Cost O(n²) when many vertices go.
 [[nodiscard]] Ring2 RemoveCollinear(const Ring2& ring, double tolerance_m = 1e-9);
 
 /// True when the ring has at least three vertices and no two edges touch but neighbours at their
@@ -51,6 +53,7 @@ using MultiPolygon2 = std::vector<Polygon2>;
 
 /// Geometry as text, for tests: "0,0 4,0 4,3 0,3". Throws std::logic_error on malformed text.
 [[nodiscard]] Ring2 ParseRing(std::string_view text);
+/// The inverse of ParseRing: every coordinate in the shortest form that reads back the same.
 [[nodiscard]] std::string RingToText(const Ring2& ring);
 
 }  // namespace enfilade

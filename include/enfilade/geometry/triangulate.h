@@ -16,7 +16,8 @@ struct Triangulation2 {
 };
 
 /// Constrained Delaunay triangulation of the polygon's interior (CGAL). No vertex is added, so
-/// neighbouring faces that share the ring stay watertight. The rings must be simple and disjoint.
+/// neighbouring faces that share the ring stay watertight. The rings must be simple and disjoint
+/// (std::logic_error otherwise).
 [[nodiscard]] Triangulation2 Triangulate(const Polygon2& polygon);
 
 }  // namespace enfilade
