@@ -3,9 +3,12 @@
 #include "enfilade/image/codec.h"
 
 #include <algorithm>
+#include <cctype>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
+#include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 
@@ -16,51 +19,100 @@ namespace fs = std::filesystem;
 
 constexpr int64_t kMaxPixels = int64_t{1} << 28;
 constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
+constexpr std::string_view kJpegStart = "\xFF\xD8";
+constexpr std::string_view kJpegEnd = "\xFF\xD9";
+constexpr std::string_view kPngStart = "\x89PNG\r\n\x1A\n";
+
+// What the head of a file tells.
+struct PictureHead {
+  enum class Format { kJpeg, kPng, kOther };
+  Format format = Format::kOther;
+  ImageSize size;              // zero when it was not found
+  uint64_t pixels_offset = 0;  // where the compressed pixels begin
+};
 
 uint8_t Byte(std::string_view bytes, size_t i) { return static_cast<uint8_t>(bytes[i]); }
 int BigEndian16(std::string_view bytes, size_t i) {
   return Byte(bytes, i) << 8 | Byte(bytes, i + 1);
 }
 
-// Walks the marker segments up to the frame header (ITU T.81, B.2.2).
-ImageSize JpegSize(std::string_view bytes) {
-  size_t i = 2;
-  while (i + 9 < bytes.size()) {
-    if (Byte(bytes, i) != 0xFF) return {};
-    const uint8_t marker = Byte(bytes, i + 1);
-    if (marker == 0xFF) {
-      ++i;
-      continue;
-    }
-    const bool is_frame =
-        marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
-    if (is_frame) return {BigEndian16(bytes, i + 7), BigEndian16(bytes, i + 5)};
-    i += 2 + static_cast<size_t>(BigEndian16(bytes, i + 2));
-  }
-  return {};
+bool IsFrameMarker(uint8_t marker) {
+  return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-ImageSize PngSize(std::string_view bytes) {
-  if (bytes.size() < 24) return {};
-  return {BigEndian16(bytes, 16) << 16 | BigEndian16(bytes, 18),
-          BigEndian16(bytes, 20) << 16 | BigEndian16(bytes, 22)};
+bool IsStandaloneMarker(uint8_t marker) {
+  return marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7);
+}
+
+// Walks the marker segments up to the start of the scan (ITU T.81, B.2.2 and B.2.3).
+PictureHead ReadJpegHead(const FileReader& file) {
+  constexpr uint8_t kStartOfScan = 0xDA, kStartOfImage = 0xD8, kEndOfImage = 0xD9;
+  constexpr size_t kFrameHeaderBytes = 9;  // marker, length, precision, height, width
+  PictureHead head{PictureHead::Format::kJpeg, {}, 0};
+  for (uint64_t offset = kJpegStart.size();;) {
+    const std::string bytes = file.ReadAt(offset, kFrameHeaderBytes);
+    if (bytes.size() < 4 || Byte(bytes, 0) != 0xFF) return {PictureHead::Format::kJpeg, {}, 0};
+    const uint8_t marker = Byte(bytes, 1);
+    if (marker == kStartOfScan) {
+      head.pixels_offset = offset;
+      return head;
+    }
+    if (marker == kStartOfImage || marker == kEndOfImage) return head;
+    if (IsFrameMarker(marker) && bytes.size() == kFrameHeaderBytes) {
+      head.size = {BigEndian16(bytes, 7), BigEndian16(bytes, 5)};
+    }
+    if (marker == 0xFF) {
+      offset += 1;  // fill byte
+    } else if (IsStandaloneMarker(marker)) {
+      offset += 2;
+    } else {
+      offset += 2 + static_cast<uint64_t>(BigEndian16(bytes, 2));
+    }
+  }
+}
+
+// The header chunk comes first (ISO 15948, 11.2.2).
+PictureHead ReadPngHead(const FileReader& file) {
+  PictureHead head{PictureHead::Format::kPng, {}, 33};
+  const std::string bytes = file.ReadAt(0, 24);
+  if (bytes.size() < 24 || bytes.substr(12, 4) != "IHDR") return head;
+  head.size = {BigEndian16(bytes, 16) << 16 | BigEndian16(bytes, 18),
+               BigEndian16(bytes, 20) << 16 | BigEndian16(bytes, 22)};
+  return head;
+}
+
+PictureHead ReadHead(const FileReader& file) {
+  const std::string start = file.ReadAt(0, kPngStart.size());
+  if (start.starts_with(kJpegStart)) return ReadJpegHead(file);
+  if (start == kPngStart) return ReadPngHead(file);
+  return {};
 }
 
 [[noreturn]] void ThrowBadPicture(const fs::path& path) {
   throw InvalidInputError(path.native(), "is no complete picture", "give a whole JPEG or PNG file");
 }
 
-bool IsCutOff(std::string_view bytes) {
-  // A decoder fills the missing part of a cut JPEG with grey; its end marker tells. Cameras may
-  // append padding, so it is looked for in the last kilobyte.
-  if (!bytes.starts_with("\xFF\xD8")) return false;
-  const std::string_view tail = bytes.substr(bytes.size() - std::min<size_t>(bytes.size(), 1024));
-  return tail.rfind("\xFF\xD9") == std::string_view::npos;
+void CheckSize(const fs::path& path, const ImageSize& size) {
+  if (size.width <= 0 || size.height <= 0) ThrowBadPicture(path);
+  if (int64_t{size.width} * size.height > kMaxPixels) {
+    throw InvalidInputError(path.native(), "has more than 2^28 pixels", "scale it down");
+  }
+}
+
+// Decoders fill the missing part of a cut file with grey and complain on standard error, so the end
+// is looked for first. Cameras may append data of their own behind it.
+bool IsCutOff(const PictureHead& head, std::string_view bytes) {
+  if (head.format == PictureHead::Format::kOther) return false;
+  const bool is_jpeg = head.format == PictureHead::Format::kJpeg;
+  const size_t end = bytes.rfind(is_jpeg ? kJpegEnd : std::string_view("IEND"));
+  return head.pixels_offset == 0 || end == std::string_view::npos || end < head.pixels_offset;
 }
 
 cv::Mat Decode(const fs::path& path, int flags) {
   const std::string bytes = ReadFile(path, kMaxFileBytes);
-  if (bytes.empty() || IsCutOff(bytes)) ThrowBadPicture(path);
+  const PictureHead head = ReadHead(FileReader(path));
+  if (head.format != PictureHead::Format::kOther) CheckSize(path, head.size);
+  if (bytes.empty() || IsCutOff(head, bytes)) ThrowBadPicture(path);
   const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
   cv::Mat decoded;
   try {
@@ -68,44 +120,50 @@ cv::Mat Decode(const fs::path& path, int flags) {
   } catch (const cv::Exception&) {
     ThrowBadPicture(path);
   }
-  if (decoded.empty()) ThrowBadPicture(path);
-  if (static_cast<int64_t>(decoded.rows) * decoded.cols > kMaxPixels) {
-    throw InvalidInputError(path.native(), "has more than 2^28 pixels", "scale it down");
-  }
+  CheckSize(path, {decoded.cols, decoded.rows});
   return decoded;
 }
 
-ImageU8 FromMat(const cv::Mat& mat) {
-  ImageU8 image(mat.rows, mat.cols, mat.channels());
-  for (int r = 0; r < mat.rows; ++r) {
-    std::copy_n(mat.ptr<uint8_t>(r), mat.cols * mat.channels(), image.row(r));
-  }
-  return image;
+// A view of the image's own memory.
+cv::Mat MatOf(ImageU8& image) {
+  return {image.rows(), image.cols(), CV_8UC(image.channels()), image.data().data()};
+}
+
+bool IsWritable(std::string_view extension) {
+  std::string lower(extension);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == ".png" || lower == ".jpg" || lower == ".jpeg";
 }
 
 }  // namespace
 
 ImageSize ReadImageSize(const fs::path& path) {
-  const std::string bytes = ReadFile(path, kMaxFileBytes);
-  ImageSize size;
-  if (bytes.starts_with("\xFF\xD8")) size = JpegSize(bytes);
-  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) size = PngSize(bytes);
-  if (size.width <= 0 || size.height <= 0) ThrowBadPicture(path);
+  const ImageSize size = ReadHead(FileReader(path)).size;
+  CheckSize(path, size);
   return size;
 }
 
 ImageU8 ReadImageRgb(const fs::path& path) {
-  cv::Mat decoded = Decode(path, cv::IMREAD_COLOR);
-  cv::cvtColor(decoded, decoded, cv::COLOR_BGR2RGB);
-  return FromMat(decoded);
+  const cv::Mat decoded = Decode(path, cv::IMREAD_COLOR);
+  ImageU8 image(decoded.rows, decoded.cols, 3);
+  cv::Mat rgb = MatOf(image);
+  cv::cvtColor(decoded, rgb, cv::COLOR_BGR2RGB);
+  return image;
 }
 
-ImageU8 ReadImageGray(const fs::path& path) { return FromMat(Decode(path, cv::IMREAD_GRAYSCALE)); }
+ImageU8 ReadImageGray(const fs::path& path) {
+  const cv::Mat decoded = Decode(path, cv::IMREAD_GRAYSCALE);
+  ImageU8 image(decoded.rows, decoded.cols, 1);
+  cv::Mat gray = MatOf(image);
+  decoded.copyTo(gray);
+  return image;
+}
 
 std::string EncodeImage(const ImageU8& image, std::string_view extension, int jpeg_quality) {
   ENFILADE_CHECK(!image.empty() && (image.channels() == 1 || image.channels() == 3));
-  cv::Mat mat(image.rows(), image.cols(), CV_8UC(image.channels()),
-              const_cast<uint8_t*>(image.data().data()));
+  ENFILADE_CHECK_MSG(IsWritable(extension), std::string(extension));
+  cv::Mat mat = MatOf(const_cast<ImageU8&>(image));  // only read
   cv::Mat bgr;
   if (image.channels() == 3) {
     cv::cvtColor(mat, bgr, cv::COLOR_RGB2BGR);

@@ -20,10 +20,7 @@ class Image {
       : rows_(rows),
         cols_(cols),
         channels_(channels),
-        data_(static_cast<size_t>(rows) * static_cast<size_t>(cols) * static_cast<size_t>(channels),
-              value) {
-    ENFILADE_CHECK(rows >= 0 && cols >= 0 && channels >= 1);
-  }
+        data_(NumValues(rows, cols, channels), value) {}
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int cols() const { return cols_; }
@@ -32,17 +29,24 @@ class Image {
   [[nodiscard]] const std::vector<T>& data() const { return data_; }
   [[nodiscard]] std::vector<T>& data() { return data_; }
 
-  [[nodiscard]] T& operator()(int row, int col, int channel = 0) { return *At(row, col, channel); }
-  [[nodiscard]] const T& operator()(int row, int col, int channel = 0) const {
-    return *const_cast<Image*>(this)->At(row, col, channel);
+  /// Indices are not checked.
+  [[nodiscard]] T& operator()(int row, int col, int channel = 0) {
+    return data_[Index(row, col, channel)];
   }
-  [[nodiscard]] T* row(int r) { return At(r, 0, 0); }
-  [[nodiscard]] const T* row(int r) const { return const_cast<Image*>(this)->At(r, 0, 0); }
+  [[nodiscard]] const T& operator()(int row, int col, int channel = 0) const {
+    return data_[Index(row, col, channel)];
+  }
+  /// The first value of a row; cols() · channels() values follow.
+  [[nodiscard]] T* row(int r) { return data_.data() + Index(r, 0, 0); }
+  [[nodiscard]] const T* row(int r) const { return data_.data() + Index(r, 0, 0); }
 
  private:
-  [[nodiscard]] T* At(int row, int col, int channel) {
-    return data_.data() +
-           (static_cast<size_t>(row) * static_cast<size_t>(cols_) + static_cast<size_t>(col)) *
+  static size_t NumValues(int rows, int cols, int channels) {
+    ENFILADE_CHECK(rows >= 0 && cols >= 0 && channels >= 1);
+    return static_cast<size_t>(rows) * static_cast<size_t>(cols) * static_cast<size_t>(channels);
+  }
+  [[nodiscard]] size_t Index(int row, int col, int channel) const {
+    return (static_cast<size_t>(row) * static_cast<size_t>(cols_) + static_cast<size_t>(col)) *
                static_cast<size_t>(channels_) +
            static_cast<size_t>(channel);
   }

@@ -10,7 +10,7 @@
 namespace enfilade {
 
 /// Bilinear sample of one channel at (x, y) in pixels (centre of the top-left pixel at 0.5, 0.5);
-/// clamped at the border.
+/// clamped at the border. The picture must not be empty, x and y finite.
 template <typename T>
 [[nodiscard]] float SampleBilinear(const Image<T>& image, double x, double y, int channel = 0) {
   const double u = std::clamp(x - 0.5, 0.0, image.cols() - 1.0);
