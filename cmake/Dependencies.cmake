@@ -16,6 +16,7 @@ pkg_check_modules(geos REQUIRED IMPORTED_TARGET geos)
 find_package(CLI11 REQUIRED)
 if(ENFILADE_BUILD_TESTS)
   find_package(GTest REQUIRED)
+  pkg_check_modules(tinygltf REQUIRED IMPORTED_TARGET tinygltf)  # reads back what we write
 endif()
 if(ENFILADE_BUILD_BENCHMARKS)
   find_package(benchmark REQUIRED)

@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/exchange/plan_svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/base/file.h"
+#include "src/exchange/plan_labels.h"
+#include "src/exchange/plan_poche.h"
+#include "src/exchange/plan_sheet.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+using pugi::xml_node;
+
+constexpr const char* kStyle = R"(
+text { font-family: "DejaVu Sans", Arial, Helvetica, sans-serif; fill: #1c1c1c; }
+.paper { fill: #ffffff; }
+.border { fill: none; stroke: #1c1c1c; stroke-width: 0.35; }
+.rule { fill: none; stroke: #1c1c1c; stroke-width: 0.18; }
+.room { fill: #f6f3ec; stroke: none; }
+.body { fill: #3b3b3b; stroke: none; }
+.body-inferred { fill: #d9d6cf; stroke: none; }
+.face { fill: none; stroke: #000000; stroke-width: 0.3; stroke-linecap: square; }
+.face-inferred { stroke-dasharray: 1.2 0.9; stroke-linecap: butt; }
+.opening { fill: none; stroke: #1c1c1c; stroke-width: 0.18; }
+.door, .passage { stroke-dasharray: 0.8 0.6; }
+.dimension { fill: none; stroke: #6a6a6a; stroke-width: 0.13; }
+.tick { fill: none; stroke: #1c1c1c; stroke-width: 0.25; }
+.dimension-text { font-size: 1.8px; text-anchor: middle; fill: #333333; }
+.room-name { font-size: 2.6px; font-weight: bold; text-anchor: middle; }
+.room-area { font-size: 2.4px; text-anchor: middle; }
+.room-height { font-size: 2px; text-anchor: middle; fill: #555555; }
+.room-small { font-size: 1.7px; text-anchor: middle; }
+.storey-name { font-size: 2.4px; fill: #555555; }
+.camera { fill: none; stroke: #2b6cb0; stroke-width: 0.18; }
+.camera-inferred { stroke-dasharray: 0.4 0.3; }
+.sheet-title { font-size: 4.4px; font-weight: bold; }
+.sheet-line { font-size: 2.6px; }
+.sheet-note { font-size: 1.9px; fill: #555555; }
+.scale-text { font-size: 1.9px; text-anchor: middle; }
+.scale-dark { fill: #1c1c1c; stroke: #1c1c1c; stroke-width: 0.18; }
+.scale-light { fill: #ffffff; stroke: #1c1c1c; stroke-width: 0.18; }
+)";
+
+// Millimetres with at most three decimals and no negative zero.
+std::string Mm(double value) {
+  std::string text = fmt::format("{:.3f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+void Set(xml_node node, const char* name, const std::string& value) {
+  node.append_attribute(name) = value.c_str();
+}
+
+xml_node AppendElement(xml_node parent, const char* name, const std::string& style) {
+  xml_node node = parent.append_child(name);
+  Set(node, "class", style);
+  return node;
+}
+
+xml_node AppendLayer(xml_node parent, const std::string& id, const std::string& style,
+                     const std::string& label) {
+  xml_node layer = parent.append_child("g");
+  Set(layer, "id", id);
+  Set(layer, "class", style);
+  Set(layer, "inkscape:groupmode", "layer");
+  Set(layer, "inkscape:label", label);
+  return layer;
+}
+
+xml_node AppendLine(xml_node parent, const std::string& style, const Vector2d& a,
+                    const Vector2d& b) {
+  xml_node line = AppendElement(parent, "line", style);
+  Set(line, "x1", Mm(a.x()));
+  Set(line, "y1", Mm(a.y()));
+  Set(line, "x2", Mm(b.x()));
+  Set(line, "y2", Mm(b.y()));
+  return line;
+}
+
+xml_node AppendRectangle(xml_node parent, const std::string& style, const Vector2d& corner,
+                         const Vector2d& size) {
+  xml_node rectangle = AppendElement(parent, "rect", style);
+  Set(rectangle, "x", Mm(corner.x()));
+  Set(rectangle, "y", Mm(corner.y()));
+  Set(rectangle, "width", Mm(size.x()));
+  Set(rectangle, "height", Mm(size.y()));
+  return rectangle;
+}
+
+xml_node AppendText(xml_node parent, const TextLine& line) {
+  xml_node text = AppendElement(parent, "text", line.style);
+  Set(text, "x", Mm(line.anchor.x()));
+  Set(text, "y", Mm(line.anchor.y()));
+  if (line.angle_deg != 0) {
+    Set(text, "transform",
+        fmt::format("rotate({} {} {})", Mm(line.angle_deg), Mm(line.anchor.x()),
+                    Mm(line.anchor.y())));
+  }
+  text.text().set(line.text.c_str());
+  return text;
+}
+
+std::string PathOfRing(const Ring2& ring, const PaperFrame& frame) {
+  std::string path;
+  for (const Vector2d& p : ring) {
+    const Vector2d q = frame * p;
+    path += fmt::format("{}{} {} ", path.empty() ? "M " : "L ", Mm(q.x()), Mm(q.y()));
+  }
+  return path + "Z";
+}
+
+std::string PathOfPolygon(const Polygon2& polygon, const PaperFrame& frame) {
+  std::string path = PathOfRing(polygon.outer, frame);
+  for (const Ring2& hole : polygon.holes) path += " " + PathOfRing(hole, frame);
+  return path;
+}
+
+xml_node AppendPolygon(xml_node parent, const std::string& style, const Polygon2& polygon,
+                       const PaperFrame& frame) {
+  xml_node path = AppendElement(parent, "path", style);
+  Set(path, "fill-rule", "evenodd");
+  Set(path, "d", PathOfPolygon(polygon, frame));
+  return path;
+}
+
+Eigen::AlignedBox2d ExtentOf(const Storey& storey, const WallBodies& bodies) {
+  Eigen::AlignedBox2d extent;
+  const auto add = [&](const MultiPolygon2& region) {
+    for (const Polygon2& polygon : region) {
+      for (const Vector2d& p : polygon.outer) extent.extend(p);
+    }
+  };
+  add(bodies.seen);
+  add(bodies.inferred);
+  for (const Room& room : storey.rooms) add({room.polygon});
+  return extent.isEmpty() ? Eigen::AlignedBox2d(Vector2d(0, 0), Vector2d(0, 0)) : extent;
+}
+
+void DrawRooms(const Storey& storey, const PaperFrame& frame, xml_node layer) {
+  for (const Room& room : storey.rooms) {
+    xml_node path = AppendPolygon(layer, "room", room.polygon, frame);
+    Set(path, "data-room", std::to_string(room.id));
+    Set(path, "data-area-m2", fmt::format("{:.3f}", Area(room.polygon)));
+    Set(path, "data-height-m", fmt::format("{:.3f}", room.ceiling_z - room.floor_z));
+  }
+}
+
+void DrawWalls(const Storey& storey, const WallBodies& bodies, const PaperFrame& frame,
+               xml_node layer) {
+  for (const Polygon2& body : bodies.inferred) AppendPolygon(layer, "body-inferred", body, frame);
+  for (const Polygon2& body : bodies.seen) AppendPolygon(layer, "body", body, frame);
+  for (const Wall& wall : storey.walls) {
+    const bool is_inferred = wall.seen == WallSeen::kInferred;
+    xml_node face = AppendLine(layer, is_inferred ? "face face-inferred" : "face", frame * wall.a,
+                               frame * wall.b);
+    Set(face, "data-wall", std::to_string(wall.id));
+    Set(face, "data-room", std::to_string(wall.room_id));
+    Set(face, "data-length-m", fmt::format("{:.3f}", (wall.b - wall.a).norm()));
+    Set(face, "data-thickness-m", fmt::format("{:.3f}", wall.thickness_m));
+    Set(face, "data-thickness", wall.is_thickness_measured ? "measured" : "assumed");
+    Set(face, "data-seen", std::string(EnumNames(WallSeen{})[static_cast<size_t>(wall.seen)]));
+  }
+}
+
+void DrawOpenings(const Storey& storey, const PaperFrame& frame, xml_node layer) {
+  constexpr const char* kStyles[] = {"opening door", "opening passage", "opening window"};
+  for (const Opening& opening : storey.openings) {
+    xml_node line = AppendLine(layer, kStyles[static_cast<size_t>(opening.kind)], frame * opening.a,
+                               frame * opening.b);
+    Set(line, "data-opening", std::to_string(opening.id));
+    Set(line, "data-width-m", fmt::format("{:.3f}", (opening.b - opening.a).norm()));
+  }
+}
+
+void DrawDimension(const DimensionLine& dimension, xml_node layer) {
+  constexpr double kTick_mm = 0.7, kOvershoot_mm = 0.8;
+  const Vector2d along = (dimension.line_b - dimension.line_a).normalized();
+  // An oblique stroke of 45°.
+  const Vector2d slash =
+      kTick_mm * Vector2d(along.x() + along.y(), along.y() - along.x()).normalized();
+  xml_node group = AppendElement(layer, "g", "dimension-group");
+  if (dimension.wall_id >= 0) Set(group, "data-wall", std::to_string(dimension.wall_id));
+  AppendLine(group, "dimension", dimension.line_a, dimension.line_b);
+  const auto draw_end = [&](const Vector2d& measured, const Vector2d& end) {
+    const Vector2d away = (end - measured).normalized();
+    AppendLine(group, "dimension", measured + kOvershoot_mm * away, end + kOvershoot_mm * away);
+    AppendLine(group, "tick", end - slash, end + slash);
+  };
+  draw_end(dimension.measured_a, dimension.line_a);
+  draw_end(dimension.measured_b, dimension.line_b);
+  AppendText(group, dimension.text);
+}
+
+// A camera of the storey and its place on the sheet.
+struct PaperCamera {
+  const PlanCamera* camera = nullptr;
+  Vector2d position{0, 0};
+};
+
+std::vector<PaperCamera> CamerasOf(const Floorplan& plan, int storey_idx, const PaperFrame& frame) {
+  std::vector<PaperCamera> cameras;
+  for (const PlanCamera& camera : plan.cameras) {
+    if (camera.storey_idx != storey_idx) continue;
+    const Eigen::Vector3d in_home = plan.home_from_world * camera.world_from_cam.translation;
+    cameras.push_back({&camera, frame * Vector2d(in_home.head<2>())});
+  }
+  return cameras;
+}
+
+void DrawCameras(const std::vector<PaperCamera>& cameras, xml_node layer) {
+  for (const auto& [camera, position] : cameras) {
+    xml_node circle =
+        AppendElement(layer, "circle", camera->is_inferred ? "camera camera-inferred" : "camera");
+    Set(circle, "cx", Mm(position.x()));
+    Set(circle, "cy", Mm(position.y()));
+    Set(circle, "r", "0.6");
+    Set(circle, "data-picture", PrintablePath(camera->picture));
+  }
+}
+
+void DrawStorey(const Floorplan& plan, int storey_idx, const WallBodies& bodies,
+                const PaperFrame& frame, const PlanSvgOptions& options, xml_node root) {
+  const Storey& storey = plan.storeys[static_cast<size_t>(storey_idx)];
+  const std::string id = fmt::format("storey-{}", storey.id);
+  const xml_node group = AppendLayer(root, id, "storey", fmt::format("Storey {}", storey.id));
+  const auto layer = [&](const char* name, const char* label) {
+    return AppendLayer(group, id + "-" + name, name, label);
+  };
+  const Eigen::AlignedBox2d extent = ExtentOf(storey, bodies);
+  std::vector<PaperCamera> cameras;
+  if (options.show_cameras) cameras = CamerasOf(plan, storey_idx, frame);
+  std::vector<Vector2d> avoided;
+  for (const PaperCamera& camera : cameras) avoided.push_back(camera.position);
+  const StoreyLabels labels =
+      PlaceLabels(storey, frame, extent, avoided, options.show_wall_dimensions);
+  DrawRooms(storey, frame, layer("rooms", "Rooms"));
+  DrawWalls(storey, bodies, frame, layer("walls", "Walls"));
+  DrawOpenings(storey, frame, layer("openings", "Openings"));
+  DrawCameras(cameras, layer("cameras", "Cameras"));
+  const xml_node dimensions = layer("dimensions", "Dimensions");
+  for (const DimensionLine& dimension : labels.dimensions) DrawDimension(dimension, dimensions);
+  const xml_node lettering = layer("labels", "Labels");
+  for (const RoomLabel& label : labels.rooms) {
+    xml_node room = AppendElement(lettering, "g", "room-label");
+    Set(room, "data-room", std::to_string(label.room_id));
+    for (const TextLine& line : label.lines) AppendText(room, line);
+  }
+  if (plan.storeys.size() > 1) {
+    const Vector2d corner(extent.min().x(), extent.max().y());
+    AppendText(lettering, {fmt::format("Storey {}", storey.id), "storey-name",
+                           frame * corner - Vector2d(0, 1.5), 0});
+  }
+}
+
+// Alternating metres, each as long as at least 5 mm on paper.
+void DrawScaleBar(const PlanSheet& sheet, const Vector2d& right_end, xml_node layer) {
+  constexpr int kParts = 5;
+  constexpr double kMinPart_mm = 8, kHeight_mm = 1.6;
+  double part_m = 1;
+  while (part_m * 1000 / sheet.scale_denominator < kMinPart_mm) part_m *= part_m == 2 ? 2.5 : 2;
+  const double part_mm = part_m * 1000 / sheet.scale_denominator;
+  const Vector2d begin = right_end - Vector2d(kParts * part_mm, 0);
+  xml_node group = AppendElement(layer, "g", "scale-bar");
+  for (int i = 0; i < kParts; ++i) {
+    AppendRectangle(group, i % 2 == 0 ? "scale-dark" : "scale-light",
+                    begin + Vector2d(i * part_mm, 0), {part_mm, kHeight_mm});
+  }
+  for (int i = 0; i <= kParts; ++i) {
+    const char* unit = i == kParts ? " m" : "";
+    AppendText(group, {fmt::format("{:g}{}", i * part_m, unit), "scale-text",
+                       begin + Vector2d(i * part_mm, -0.8), 0});
+  }
+}
+
+std::string SummaryLine(const Floorplan& plan, const PlanSheet& sheet) {
+  size_t num_rooms = 0;
+  double area_m2 = 0;
+  for (const Storey& storey : plan.storeys) {
+    num_rooms += storey.rooms.size();
+    for (const Room& room : storey.rooms) area_m2 += Area(room.polygon);
+  }
+  const std::string paper = sheet.format == "custom"
+                                ? fmt::format("{:.0f} × {:.0f} mm", sheet.width_mm, sheet.height_mm)
+                                : sheet.format;
+  return fmt::format("Scale 1:{} on {} · {} room{} · {:.1f} m² net", sheet.scale_denominator, paper,
+                     num_rooms, num_rooms == 1 ? "" : "s", area_m2);
+}
+
+void DrawSheet(const Floorplan& plan, const PlanSheet& sheet, const PlanSvgOptions& options,
+               xml_node root) {
+  const xml_node layer = AppendLayer(root, "sheet", "sheet", "Sheet");
+  const Vector2d size(sheet.width_mm, sheet.height_mm);
+  const Vector2d margin = Vector2d::Constant(kSheetMargin_mm);
+  AppendRectangle(layer, "paper", {0, 0}, size);
+  AppendRectangle(layer, "border", margin, size - 2 * margin);
+  const double top = sheet.height_mm - kSheetMargin_mm - kTitleBlock_mm;
+  AppendLine(layer, "rule", {kSheetMargin_mm, top}, {sheet.width_mm - kSheetMargin_mm, top});
+  const double left = kSheetMargin_mm + 4;
+  AppendText(layer, {PrintablePath(options.title), "sheet-title", {left, top + 6.5}, 0});
+  AppendText(layer, {SummaryLine(plan, sheet), "sheet-line", {left, top + 11.2}, 0});
+  AppendText(layer,
+             {"Lengths in metres between inner wall faces; areas within them. Wall thickness is "
+              "assumed unless both sides were seen.",
+              "sheet-note",
+              {left, top + 14.9},
+              0});
+  AppendText(layer,
+             {"Dashed faces and light bodies: inferred, no picture shows them. Circles: where "
+              "pictures were taken.",
+              "sheet-note",
+              {left, top + 17.8},
+              0});
+  DrawScaleBar(sheet, {sheet.width_mm - kSheetMargin_mm - 6, top + 6}, layer);
+}
+
+xml_node AppendRoot(pugi::xml_document& document, const PlanSheet& sheet) {
+  xml_node declaration = document.append_child(pugi::node_declaration);
+  Set(declaration, "version", "1.0");
+  Set(declaration, "encoding", "UTF-8");
+  xml_node root = document.append_child("svg");
+  Set(root, "xmlns", "http://www.w3.org/2000/svg");
+  Set(root, "xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
+  Set(root, "version", "1.1");
+  Set(root, "width", Mm(sheet.width_mm) + "mm");
+  Set(root, "height", Mm(sheet.height_mm) + "mm");
+  Set(root, "viewBox", fmt::format("0 0 {} {}", Mm(sheet.width_mm), Mm(sheet.height_mm)));
+  return root;
+}
+
+}  // namespace
+
+std::string FormatPlanSvg(const Floorplan& plan, const PlanSvgOptions& options) {
+  std::vector<WallBodies> bodies;
+  std::vector<Eigen::AlignedBox2d> extents;
+  for (const Storey& storey : plan.storeys) {
+    bodies.push_back(BuildWallBodies(storey));
+    extents.push_back(ExtentOf(storey, bodies.back()));
+  }
+  const PlanSheet sheet = LayOutSheet(extents);
+  pugi::xml_document document;
+  xml_node root = AppendRoot(document, sheet);
+  root.append_child("title").text().set(PrintablePath(options.title).c_str());
+  root.append_child("desc").text().set(
+      (SummaryLine(plan, sheet) + ". One unit is one millimetre on paper.").c_str());
+  root.append_child("style").text().set(kStyle);
+  DrawSheet(plan, sheet, options, root);
+  for (size_t i = 0; i < plan.storeys.size(); ++i) {
+    DrawStorey(plan, static_cast<int>(i), bodies[i], sheet.frames[i], options, root);
+  }
+  std::ostringstream text;
+  document.save(text, " ", pugi::format_indent, pugi::encoding_utf8);
+  return text.str();
+}
+
+void WritePlanSvg(const std::filesystem::path& path, const Floorplan& plan,
+                  const PlanSvgOptions& options) {
+  WriteFileAtomic(path, FormatPlanSvg(plan, options));
+}
+
+}  // namespace enfilade
