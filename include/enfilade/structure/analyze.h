@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "enfilade/base/options.h"
+#include "enfilade/base/run_context.h"
+#include "enfilade/scene/types.h"
+#include "enfilade/structure/column_scores.h"
+#include "enfilade/structure/heading.h"
+#include "enfilade/structure/heights.h"
+#include "enfilade/structure/line_response.h"
+#include "enfilade/structure/plane_viterbi.h"
+#include "enfilade/structure/strip_correlation.h"
+#include "enfilade/structure/types.h"
+
+namespace enfilade {
+
+struct StructureOptions {
+  int num_columns = 1024;
+  int max_width = 2048;
+  double max_distance_m = 20.0;
+  double stand_elevation_deg = -72.0;
+  bool use_floor = true;
+  bool use_ceiling = true;
+  bool use_correlation = true;
+  bool use_obstacles = true;
+  bool use_diagonals = true;
+  bool use_frontal = true;
+  double floor_weight = 1.0;
+  double ceiling_weight = 1.0;
+  double correlation_weight = 1.5;
+  HeadingOptions heading;
+  LineResponseOptions line;
+  ObstacleOptions obstacle;
+  StripCorrelationOptions correlation;
+  HeightOptions height;
+  PlaneViterbiOptions viterbi;
+
+  void Visit(OptionVisitor& v) {
+    v("num_columns", num_columns, "Columns of a wall profile; a power of two.", {64, 4096});
+    v("max_width", max_width, "Width to which larger panoramas are reduced, pixels.", {256, 8192});
+    v("max_distance_m", max_distance_m, "Farthest wall, metres.", {2.0, 200.0});
+    v("stand_elevation_deg", stand_elevation_deg,
+      "Pixels below this elevation belong to the camera's stand, degrees.", {-90.0, -30.0});
+    v("use_floor", use_floor, "Use the floor line.");
+    v("use_ceiling", use_ceiling, "Use the ceiling line.");
+    v("use_correlation", use_correlation, "Use the correlation with other panoramas.");
+    v("use_obstacles", use_obstacles, "Let something stand before a wall.");
+    v("use_diagonals", use_diagonals, "Allow walls at 45 degrees.");
+    v("use_frontal", use_frontal, "Allow walls of free direction.");
+    v("floor_weight", floor_weight, "Weight of the floor line.", {0.0, 10.0});
+    v("ceiling_weight", ceiling_weight, "Weight of the ceiling line.", {0.0, 10.0});
+    v("correlation_weight", correlation_weight, "Weight of the correlation.", {0.0, 10.0});
+    v("heading", heading, "Heading of the walls.");
+    v("line", line, "Response to floor and ceiling lines.");
+    v("obstacle", obstacle, "Things that stand before a wall.");
+    v("correlation", correlation, "Correlation of wall strips.");
+    v("height", height, "Heights of floor and ceiling.");
+    v("viterbi", viterbi, "Choice of the walls round a panorama.");
+  }
+};
+
+struct StructureReport {
+  Structure structure;
+  std::vector<std::string> warnings;
+};
+
+/// Finds directions, heights and wall profiles of the whole home.
+///
+/// Steps: the heading is pooled over all panoramas (great-circle gradient voting); every panorama is
+/// turned into the home frame; line responses and strip correlations are computed; the floor is
+/// found per storey, the ceiling per room; a circular Viterbi over the distance explains each
+/// panorama's floor line, ceiling line and correlation, first without, then with knowledge of where
+/// the other panoramas' walls are. Pictures are decoded twice and not kept.
+///
+/// Requires at least one view. Throws IoError or InvalidInputError for pictures that cannot be read.
+[[nodiscard]] StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
+                                               RunContext& context);
+
+}  // namespace enfilade

@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/structure/analyze.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "enfilade/base/check.h"
+#include "enfilade/geometry/angles.h"
+#include "enfilade/image/codec.h"
+#include "enfilade/structure/level_panorama.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Width at which headings are voted.
+constexpr int kHeadingWidth = 1024;
+// The search for heights looks at every so many columns.
+constexpr int kHeightColumnStep = 4;
+// Correlation is computed at every so many columns.
+constexpr int kCorrelationColumnStep = 2;
+// Panoramas nearer than the wall between them share a room.
+constexpr double kSameRoomSlack = 0.95;
+
+// What is kept of one panorama while its storey is solved.
+struct ViewWork {
+  Vector3d position{0, 0, 0};
+  LineResponse response;
+  std::vector<uint8_t> is_seen;     // per column
+  ColumnScores correlation;         // weighed
+  WallPath path;
+  CeilingEstimate ceiling;
+};
+
+double EstimateHeading(const Scene& scene, const StructureOptions& options, RunContext& context) {
+  std::vector<HeadingHistogram> histograms(scene.views.size());
+  ParallelFor(context, "heading", static_cast<int64_t>(scene.views.size()), [&](int64_t i) {
+    const View& view = scene.views[static_cast<size_t>(i)];
+    const LevelPanorama panorama =
+        MakeLevelPanorama(view, ReadImageRgb(view.path), Rigid3(), LevelWidth(view, kHeadingWidth),
+                          DegToRad(options.stand_elevation_deg));
+    histograms[static_cast<size_t>(i)] = VoteHeading(panorama, options.heading);
+  });
+  HeadingHistogram pooled(histograms.front().size());
+  for (const HeadingHistogram& histogram : histograms) {
+    for (size_t b = 0; b < pooled.size(); ++b) pooled[b] += histogram[b];
+  }
+  return HeadingOfHistogram(pooled, options.heading);
+}
+
+std::vector<int> UsedFamilies(const StructureOptions& options) {
+  std::vector<int> families = {0, 1};
+  if (options.use_diagonals) families.insert(families.end(), {2, 3});
+  if (options.use_frontal) families.push_back(kFrontalFamily);
+  return families;
+}
+
+DistanceBins MakeBins(const StructureOptions& options) {
+  DistanceBins bins;
+  bins.count = static_cast<int>(std::ceil(bins.Bin(options.max_distance_m))) + 1;
+  return bins;
+}
+
+double MedianCameraZ(const std::vector<ViewWork>& works, const std::vector<int>& members) {
+  std::vector<double> z;
+  for (const int i : members) z.push_back(works[static_cast<size_t>(i)].position.z());
+  std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2), z.end());
+  return z[z.size() / 2];
+}
+
+// Solves the panoramas of one storey.
+class StoreySolver {
+ public:
+  StoreySolver(const Scene& scene, std::vector<int> members, const Rigid3& home_from_world,
+               const StructureOptions& options, RunContext& context)
+      : scene_(scene), members_(std::move(members)), home_from_world_(home_from_world),
+        options_(options), context_(context), bins_(MakeBins(options)), families_(UsedFamilies(options)),
+        works_(members_.size()) {}
+
+  void Solve() {
+    LoadPanoramas();
+    if (options_.use_correlation) Correlate();
+    EstimateFloorHeight();
+    FindPaths(false, false);
+    if (options_.use_ceiling) {
+      EstimateCeilingHeights();
+      FindPaths(true, false);
+    }
+    if (options_.use_correlation) Correlate();
+    FindPaths(options_.use_ceiling, true);
+  }
+
+  [[nodiscard]] StoreyStructure storey() const {
+    std::vector<double> ceilings;
+    for (const ViewWork& work : works_) ceilings.push_back(work.ceiling.ceiling_z);
+    std::nth_element(ceilings.begin(), ceilings.begin() + static_cast<std::ptrdiff_t>(ceilings.size() / 2), ceilings.end());
+    return {floor_.floor_z, ceilings[ceilings.size() / 2], floor_.baseboard_m};
+  }
+
+  [[nodiscard]] WallProfile Profile(size_t i) const {
+    const ViewWork& work = works_[i];
+    WallProfile profile;
+    profile.view_idx = members_[i];
+    profile.floor_z = floor_.floor_z;
+    profile.ceiling_z = work.ceiling.ceiling_z;
+    profile.ceiling_weight = work.ceiling.weight;
+    profile.is_seen = work.is_seen;
+    profile.wall_probability = Probabilities(work.path.log_likelihood);
+    const std::vector<double> obstacles = Obstacles(work);
+    for (size_t c = 0; c < work.path.wall_m.size(); ++c) {
+      profile.wall_m.push_back(static_cast<float>(work.path.wall_m[c]));
+      profile.obstacle_m.push_back(static_cast<float>(obstacles[c]));
+      profile.confidence.push_back(Confidence(profile.wall_probability.row(static_cast<int>(c)), work.path.wall_m[c]));
+    }
+    return profile;
+  }
+
+  [[nodiscard]] const DistanceBins& bins() const { return bins_; }
+  [[nodiscard]] const std::vector<int>& members() const { return members_; }
+
+ private:
+  void LoadPanoramas() {
+    std::vector<std::unique_ptr<StripTable>> tables(members_.size());
+    double camera_z = 0;
+    for (const int v : members_) {
+      camera_z += (home_from_world_ * scene_.views[static_cast<size_t>(v)].world_from_cam.translation).z();
+    }
+    camera_z /= static_cast<double>(members_.size());
+    ParallelFor(context_, "panoramas", static_cast<int64_t>(members_.size()), [&](int64_t i) {
+      const View& view = scene_.views[static_cast<size_t>(members_[static_cast<size_t>(i)])];
+      const int width = std::max(options_.num_columns, LevelWidth(view, options_.max_width) / options_.num_columns * options_.num_columns);
+      const LevelPanorama panorama = MakeLevelPanorama(view, ReadImageRgb(view.path), home_from_world_, width,
+                                                       DegToRad(options_.stand_elevation_deg));
+      ViewWork& work = works_[static_cast<size_t>(i)];
+      work.position = panorama.position;
+      work.response = ComputeLineResponse(panorama, options_.num_columns, families_, options_.line);
+      work.is_seen = SeenColumns(panorama);
+      if (options_.use_correlation) {
+        tables[static_cast<size_t>(i)] = std::make_unique<StripTable>(
+            panorama, camera_z - options_.correlation.below_m, camera_z + options_.correlation.above_m, bins_);
+      }
+    });
+    for (auto& table : tables) {
+      if (table) tables_.push_back(std::move(*table));
+    }
+  }
+
+  // A column is seen when the picture covers the level line in it.
+  [[nodiscard]] std::vector<uint8_t> SeenColumns(const LevelPanorama& panorama) const {
+    std::vector<uint8_t> is_seen;
+    const int step = panorama.cols() / options_.num_columns;
+    for (int c = 0; c < options_.num_columns; ++c) {
+      is_seen.push_back(panorama.is_seen(panorama.rows() / 2, c * step + step / 2));
+    }
+    return is_seen;
+  }
+
+  void Correlate() {
+    std::vector<KnownDistances> known(works_.size());
+    for (size_t i = 0; i < works_.size(); ++i) known[i] = works_[i].path.wall_m;
+    ParallelFor(context_, "correlation", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      const ColumnScores raw = CorrelateStrips(tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)), known,
+                                               options_.num_columns, kCorrelationColumnStep, families_, bins_,
+                                               options_.correlation);
+      ColumnScores weighed;
+      AddScores(raw, options_.correlation_weight, weighed);
+      works_[static_cast<size_t>(i)].correlation = std::move(weighed);
+    });
+  }
+
+  [[nodiscard]] std::vector<int> NearestOthers(size_t i) const {
+    std::vector<int> others;
+    for (size_t j = 0; j < works_.size(); ++j) {
+      if (j != i) others.push_back(static_cast<int>(j));
+    }
+    const auto distance = [&](int j) {
+      return (works_[static_cast<size_t>(j)].position - works_[i].position).head<2>().norm();
+    };
+    std::stable_sort(others.begin(), others.end(), [&](int a, int b) { return distance(a) < distance(b); });
+    return others;
+  }
+
+  // The two axis families at few columns: enough for heights.
+  template <typename Use>
+  void WithHeightViews(const Use& use) const {
+    std::vector<LineResponse> responses(works_.size());
+    std::vector<ColumnScores> correlations(works_.size());
+    std::vector<HeightView> views;
+    for (size_t i = 0; i < works_.size(); ++i) {
+      responses[i] = Thin(works_[i].response);
+      correlations[i] = Thin(works_[i].correlation);
+      views.push_back({&responses[i], &correlations[i], works_[i].position.z(), options_.use_floor});
+    }
+    use(views);
+  }
+
+  [[nodiscard]] static LineResponse Thin(const LineResponse& response) {
+    LineResponse thin{std::vector<ImageU8>(kNumFamilies)};
+    for (const size_t f : {0, 1}) {
+      const ImageU8& source = response.family[f];
+      ImageU8 target(source.rows(), source.cols() / kHeightColumnStep);
+      for (int r = 0; r < target.rows(); ++r) {
+        for (int c = 0; c < target.cols(); ++c) target(r, c) = source(r, c * kHeightColumnStep + kHeightColumnStep / 2);
+      }
+      thin.family[f] = std::move(target);
+    }
+    return thin;
+  }
+
+  [[nodiscard]] static ColumnScores Thin(const ColumnScores& scores) {
+    ColumnScores thin;
+    for (const size_t f : {0, 1}) {
+      const ImageF& source = scores.family[f];
+      if (source.empty()) continue;
+      ImageF target(source.rows() / kHeightColumnStep, source.cols());
+      for (int c = 0; c < target.rows(); ++c) {
+        std::copy_n(source.row(c * kHeightColumnStep + kHeightColumnStep / 2), source.cols(), target.row(c));
+      }
+      thin.family[f] = std::move(target);
+    }
+    return thin;
+  }
+
+  void EstimateFloorHeight() {
+    WithHeightViews([&](const std::vector<HeightView>& views) {
+      floor_ = EstimateFloor(views, scene_.camera_height_m.value_or(0.0), bins_, options_.viterbi, options_.height, context_);
+    });
+    context_.log().Info(fmt::format("floor at {:.3f} m, {:.3f} m below the median camera, baseboard {:.2f} m, contrast {:.3f}",
+                                    floor_.floor_z, MedianCameraZ(works_, Iota(works_.size())) - floor_.floor_z,
+                                    floor_.baseboard_m, floor_.contrast));
+  }
+
+  static std::vector<int> Iota(size_t count) {
+    std::vector<int> indices(count);
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+  }
+
+  void EstimateCeilingHeights() {
+    std::vector<CeilingEstimate> estimates;
+    WithHeightViews([&](const std::vector<HeightView>& views) {
+      estimates = EstimateCeilings(views, floor_, SameRoom(), bins_, options_.viterbi, options_.height, context_);
+    });
+    for (size_t i = 0; i < works_.size(); ++i) works_[i].ceiling = estimates[i];
+  }
+
+  // For each panorama those that lie before its walls and it before theirs.
+  [[nodiscard]] std::vector<std::vector<int>> SameRoom() const {
+    const auto is_before_wall = [&](const ViewWork& from, const ViewWork& to) {
+      const Vector2d ray = (to.position - from.position).head<2>();
+      const double turn = std::atan2(ray.y(), ray.x()) / (2 * kPi) + 0.5;
+      const int n = static_cast<int>(from.path.wall_m.size());
+      const int column = std::clamp(static_cast<int>(turn * n), 0, n - 1);
+      return ray.norm() < kSameRoomSlack * from.path.wall_m[static_cast<size_t>(column)];
+    };
+    std::vector<std::vector<int>> same_room(works_.size());
+    for (size_t i = 0; i < works_.size(); ++i) {
+      for (size_t j = 0; j < works_.size(); ++j) {
+        if (i != j && is_before_wall(works_[i], works_[j]) && is_before_wall(works_[j], works_[i])) {
+          same_room[i].push_back(static_cast<int>(j));
+        }
+      }
+    }
+    return same_room;
+  }
+
+  [[nodiscard]] ColumnScores FloorScores(const ViewWork& work) const {
+    return ScoreFloor(work.response, work.position.z() - floor_.floor_z, floor_.baseboard_m, bins_);
+  }
+
+  void FindPaths(bool with_ceiling, bool with_likelihood) {
+    ParallelFor(context_, "wall profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      ViewWork& work = works_[static_cast<size_t>(i)];
+      ColumnScores scores = work.correlation;
+      if (options_.use_floor) {
+        const ColumnScores floor = FloorScores(work);
+        // Only the ceiling line can tell a wall behind an obstacle from the obstacle.
+        const bool allow = options_.use_obstacles && with_ceiling;
+        AddScores(allow ? AllowObstacles(floor, bins_, options_.obstacle) : floor, options_.floor_weight, scores);
+      }
+      if (with_ceiling) {
+        AddScores(ScoreLine(work.response, work.position.z() - work.ceiling.ceiling_z, bins_),
+                  options_.ceiling_weight * work.ceiling.weight, scores);
+      }
+      work.path = FindWallPath(scores, bins_, options_.viterbi, with_likelihood);
+    });
+  }
+
+  // Distance of the first obstacle: where AllowObstacles found one before the chosen wall.
+  [[nodiscard]] std::vector<double> Obstacles(const ViewWork& work) const {
+    std::vector<double> obstacles = work.path.wall_m;
+    if (!options_.use_obstacles || !options_.use_floor) return obstacles;
+    const ColumnScores floor = FloorScores(work);
+    for (size_t c = 0; c < obstacles.size(); ++c) {
+      const ImageF& score = floor.family[static_cast<size_t>(work.path.family[c])];
+      const int column = static_cast<int>(c);
+      const double wall_m = work.path.wall_m[c];
+      const int wall_bin = std::clamp(static_cast<int>(std::lround(bins_.Bin(wall_m))), 0, bins_.count - 1);
+      float best = score(column, wall_bin) + static_cast<float>(options_.obstacle.cost);
+      for (int b = 0; b < wall_bin; ++b) {
+        const double gap = wall_m - bins_.Distance(b);
+        if (gap < options_.obstacle.min_gap_m || gap > options_.obstacle.max_gap_m || score(column, b) <= best) continue;
+        best = score(column, b);
+        obstacles[c] = bins_.Distance(b);
+      }
+    }
+    return obstacles;
+  }
+
+  [[nodiscard]] static ImageF Probabilities(const ImageF& log_likelihood) {
+    ImageF probabilities(log_likelihood.rows(), log_likelihood.cols());
+    for (int c = 0; c < probabilities.rows(); ++c) {
+      float sum = 0;
+      for (int b = 0; b < probabilities.cols(); ++b) sum += probabilities(c, b) = std::exp(log_likelihood(c, b));
+      for (int b = 0; b < probabilities.cols(); ++b) probabilities(c, b) /= sum;
+    }
+    return probabilities;
+  }
+
+  // Probability within 5 % of the chosen distance.
+  [[nodiscard]] float Confidence(const float* probability, double wall_m) const {
+    const double bin = bins_.Bin(wall_m), reach = 0.05 / bins_.log_step;
+    float sum = 0;
+    for (int b = std::max(0, static_cast<int>(std::ceil(bin - reach))); b <= std::min(bins_.count - 1, static_cast<int>(bin + reach)); ++b) {
+      sum += probability[b];
+    }
+    return sum;
+  }
+
+  const Scene& scene_;
+  std::vector<int> members_;
+  Rigid3 home_from_world_;
+  const StructureOptions& options_;
+  RunContext& context_;
+  DistanceBins bins_;
+  std::vector<int> families_;
+  std::vector<ViewWork> works_;
+  std::vector<StripTable> tables_;
+  FloorEstimate floor_;
+};
+
+}  // namespace
+
+StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options, RunContext& context) {
+  ENFILADE_CHECK(!scene.views.empty());
+  StructureReport report;
+  Structure& structure = report.structure;
+  structure.heading_rad = EstimateHeading(scene, options, context);
+  structure.home_from_world.rotation = RotationZ(-structure.heading_rad);
+  structure.profiles.resize(scene.views.size());
+  context.log().Info(fmt::format("heading of the walls {:.2f} degrees", RadToDeg(structure.heading_rad)));
+
+  int num_storeys = 0;
+  for (const View& view : scene.views) num_storeys = std::max(num_storeys, view.storey_idx + 1);
+  for (int s = 0; s < num_storeys; ++s) {
+    std::vector<int> members;
+    for (size_t i = 0; i < scene.views.size(); ++i) {
+      if (scene.views[i].storey_idx == s) members.push_back(static_cast<int>(i));
+    }
+    ENFILADE_CHECK(!members.empty());
+    StoreySolver solver(scene, std::move(members), structure.home_from_world, options, context);
+    solver.Solve();
+    structure.storeys.push_back(solver.storey());
+    structure.bin_m = solver.bins().Centers();
+    for (size_t i = 0; i < solver.members().size(); ++i) {
+      WallProfile profile = solver.Profile(i);
+      structure.profiles[static_cast<size_t>(profile.view_idx)] = std::move(profile);
+    }
+  }
+  return report;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/structure/strip_correlation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "enfilade/geometry/angles.h"
+#include "enfilade/image/sampling.h"
+#include "enfilade/structure/types.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kHeights = StripTable::kNumHeights;
+constexpr int kHalfLines = 3;
+constexpr int kNumLines = 2 * kHalfLines + 1;
+// Walls seen at a smaller angle than this by either camera are not compared.
+constexpr double kMinIncidenceSin = 0.15;
+// A panorama sees a point that lies no farther than its wall in that direction, with this slack.
+constexpr double kVisibilitySlack = 1.12;
+constexpr double kVisibilitySlack_m = 0.15;
+
+int AzimuthIndex(const Vector2d& v) {
+  const double turn = std::atan2(v.y(), v.x()) / (2 * kPi) + 0.5;
+  return std::clamp(static_cast<int>(turn * StripTable::kNumAzimuths), 0, StripTable::kNumAzimuths - 1);
+}
+
+// The upright lines of a strip on its wall plane.
+struct Strip {
+  std::array<Vector2d, kNumLines> foot;            // in the frame
+  std::array<const uint8_t*, kNumLines> line{};    // grey levels in its own panorama
+  bool is_valid = true;
+};
+
+struct Moments {
+  int64_t sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
+
+  void Add(const uint8_t* a, const uint8_t* b) {
+    int sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
+    for (int i = 0; i < kHeights; ++i) {
+      const int x = a[i], y = b[i];
+      sa += x;
+      sb += y;
+      saa += x * x;
+      sbb += y * y;
+      sab += x * y;
+    }
+    sum_a += sa;
+    sum_b += sb;
+    sum_aa += saa;
+    sum_bb += sbb;
+    sum_ab += sab;
+  }
+
+  [[nodiscard]] double Correlation(double noise_variance) const {
+    constexpr double kCount = kNumLines * kHeights;
+    const double mean_a = static_cast<double>(sum_a) / kCount, mean_b = static_cast<double>(sum_b) / kCount;
+    const double var_a = static_cast<double>(sum_aa) / kCount - mean_a * mean_a;
+    const double var_b = static_cast<double>(sum_bb) / kCount - mean_b * mean_b;
+    const double covariance = static_cast<double>(sum_ab) / kCount - mean_a * mean_b;
+    return covariance / std::sqrt((var_a + noise_variance) * (var_b + noise_variance) + 1e-12);
+  }
+};
+
+class Correlator {
+ public:
+  Correlator(std::span<const StripTable> tables, int self, std::span<const int> others,
+             std::span<const KnownDistances> known, const DistanceBins& bins,
+             const StripCorrelationOptions& options)
+      : tables_(tables), self_(tables[static_cast<size_t>(self)]), others_(others), known_(known),
+        bins_(bins), options_(options) {}
+
+  [[nodiscard]] float Score(double azimuth, int family, int bin) const {
+    const double direction = WallDirection(family, azimuth);
+    const Strip strip = MakeStrip(azimuth, direction, bins_.Distance(bin));
+    if (!strip.is_valid) return 0;
+    const Vector2d normal(-std::sin(direction), std::cos(direction));
+    double sum = 0;
+    int count = 0;
+    for (const int other : others_) {
+      if (count >= options_.max_views) break;
+      const StripTable& table = tables_[static_cast<size_t>(other)];
+      if (!WouldSee(table, known_[static_cast<size_t>(other)], strip, normal)) continue;
+      double correlation = 0;
+      if (!Compare(strip, table, &correlation)) continue;
+      sum += correlation;
+      ++count;
+    }
+    return count > 0 ? static_cast<float>(sum / count) : 0.0F;
+  }
+
+ private:
+  [[nodiscard]] Strip MakeStrip(double azimuth, double direction, double distance) const {
+    Strip strip;
+    const double incidence = std::sin(azimuth - direction);
+    for (int i = -kHalfLines; i <= kHalfLines; ++i) {
+      const double a = azimuth + DegToRad(options_.half_width_deg) * i / kHalfLines;
+      const double line_incidence = std::sin(a - direction);
+      if (std::abs(line_incidence) < kMinIncidenceSin || line_incidence * incidence < 0) return {{}, {}, false};
+      const double r = distance * incidence / line_incidence;
+      const Vector2d ray = r * Vector2d(std::cos(a), std::sin(a));
+      const double r_bin = bins_.Bin(r) + 0.5;
+      if (r_bin < 0 || r_bin >= bins_.count) return {{}, {}, false};
+      const size_t slot = static_cast<size_t>(i + kHalfLines);
+      strip.foot[slot] = self_.position() + ray;
+      strip.line[slot] = self_.line(AzimuthIndex(ray), static_cast<int>(r_bin));
+    }
+    return strip;
+  }
+
+  [[nodiscard]] bool WouldSee(const StripTable& table, const KnownDistances& known, const Strip& strip,
+                              const Vector2d& normal) const {
+    const Vector2d& center = strip.foot[kHalfLines];
+    const Vector2d ray = center - table.position();
+    const double range = ray.norm();
+    if (range > options_.max_view_distance_m || range < bins_.min_m) return false;
+    const double side = normal.dot(table.position() - center);
+    const double own_side = normal.dot(self_.position() - center);
+    if (side * own_side <= 0 || std::abs(side) < kMinIncidenceSin * range) return false;
+    if (known.empty()) return true;
+    const double turn = std::atan2(ray.y(), ray.x()) / (2 * kPi) + 0.5;
+    const int column = std::clamp(static_cast<int>(turn * static_cast<double>(known.size())), 0, static_cast<int>(known.size()) - 1);
+    return range <= kVisibilitySlack * known[static_cast<size_t>(column)] + kVisibilitySlack_m;
+  }
+
+  [[nodiscard]] bool Compare(const Strip& strip, const StripTable& table, double* correlation) const {
+    Moments moments;
+    for (int i = 0; i < kNumLines; ++i) {
+      const Vector2d ray = strip.foot[static_cast<size_t>(i)] - table.position();
+      const double bin = bins_.Bin(ray.norm()) + 0.5;
+      if (bin < 0 || bin >= bins_.count) return false;
+      moments.Add(strip.line[static_cast<size_t>(i)], table.line(AzimuthIndex(ray), static_cast<int>(bin)));
+    }
+    *correlation = moments.Correlation(options_.noise * options_.noise);
+    return true;
+  }
+
+  std::span<const StripTable> tables_;
+  const StripTable& self_;
+  std::span<const int> others_;
+  std::span<const KnownDistances> known_;
+  const DistanceBins& bins_;
+  const StripCorrelationOptions& options_;
+};
+
+ImageF GreyAt(const LevelPanorama& panorama, int cols) {
+  const int factor = std::max(1, panorama.cols() / cols);
+  ImageF grey(panorama.rows() / factor, panorama.cols() / factor);
+  for (int r = 0; r < grey.rows(); ++r) {
+    for (int c = 0; c < grey.cols(); ++c) {
+      float sum = 0;
+      for (int y = 0; y < factor; ++y) {
+        for (int x = 0; x < factor; ++x) {
+          const uint8_t* p = &panorama.rgb(r * factor + y, c * factor + x);
+          sum += 0.299F * p[0] + 0.587F * p[1] + 0.114F * p[2];
+        }
+      }
+      grey(r, c) = sum / static_cast<float>(factor * factor);
+    }
+  }
+  return grey;
+}
+
+}  // namespace
+
+StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double top_z, const DistanceBins& bins)
+    : position_(panorama.position.head<2>()), num_bins_(bins.count),
+      grey_(static_cast<size_t>(kNumAzimuths) * static_cast<size_t>(bins.count) * kNumHeights) {
+  const ImageF grey = GreyAt(panorama, kNumAzimuths);
+  std::vector<double> rows(static_cast<size_t>(bins.count) * kNumHeights);
+  for (int b = 0; b < bins.count; ++b) {
+    for (int i = 0; i < kNumHeights; ++i) {
+      const double z = bottom_z + (top_z - bottom_z) * i / (kNumHeights - 1) - panorama.position.z();
+      rows[static_cast<size_t>(b * kNumHeights + i)] = grey.rows() * (0.5 - std::atan(z / bins.Distance(b)) / kPi);
+    }
+  }
+  for (int a = 0; a < kNumAzimuths; ++a) {
+    const double x = (a + 0.5) * grey.cols() / kNumAzimuths;
+    uint8_t* out = grey_.data() + static_cast<size_t>(a) * rows.size();
+    for (size_t i = 0; i < rows.size(); ++i) {
+      out[i] = static_cast<uint8_t>(SampleBilinearWrapped(grey, x, rows[i]) + 0.5F);
+    }
+  }
+}
+
+ColumnScores CorrelateStrips(std::span<const StripTable> tables, int self, std::span<const int> others,
+                             std::span<const KnownDistances> known, int num_columns, int column_step,
+                             std::span<const int> families, const DistanceBins& bins,
+                             const StripCorrelationOptions& options) {
+  ENFILADE_CHECK(known.size() == tables.size() && column_step >= 1);
+  const Correlator correlator(tables, self, others, known, bins, options);
+  ColumnScores scores;
+  for (const int family : families) {
+    ImageF score(num_columns, bins.count);
+    for (int c = 0; c < num_columns; c += column_step) {
+      const double azimuth = AzimuthOfColumn(c, num_columns) + (column_step - 1) * kPi / num_columns;
+      for (int b = 0; b < bins.count; ++b) score(c, b) = correlator.Score(azimuth, family, b);
+      for (int i = c + 1; i < std::min(c + column_step, num_columns); ++i) {
+        std::copy_n(score.row(c), bins.count, score.row(i));
+      }
+    }
+    scores.family[static_cast<size_t>(family)] = std::move(score);
+  }
+  return scores;
+}
+
+}  // namespace enfilade
