@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "enfilade/base/file.h"
+#include "tests/support/source_folder.h"
 #include "tests/e2e/program.h"
 
 namespace enfilade {
@@ -53,7 +54,7 @@ TEST(CommandLine, ConfigPrintsJsonThatConfigReads) {
 TEST(CommandLine, ReferencePageIsCurrent) {
   const ProgramResult result = RunProgram({"config", "--markdown"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, ReadFile(ENFILADE_SOURCE_DIR "/docs/command_reference.md"))
+  EXPECT_EQ(result.out, ReadFile(SourceFolder() / "docs/command_reference.md"))
       << "make it anew: enfilade config --markdown > docs/command_reference.md";
 }
 

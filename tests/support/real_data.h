@@ -7,12 +7,14 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/support/source_folder.h"
+
 namespace enfilade {
 
 /// The folder of real data: $ENFILADE_DATA, else ../shared/data beside the checkout.
 inline std::filesystem::path RealDataFolder() {
   const char* folder = std::getenv("ENFILADE_DATA");
-  return folder != nullptr ? folder : ENFILADE_SOURCE_DIR "/../shared/data";
+  return folder != nullptr ? std::filesystem::path(folder) : SourceFolder() / "../shared/data";
 }
 
 }  // namespace enfilade
