@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/evaluate/evaluate.h"
+
+#include <algorithm>
+
+#include "enfilade/base/check.h"
+#include "enfilade/base/errors.h"
+#include "enfilade/evaluate/judged_plan.h"
+#include "enfilade/evaluate/picture_matching.h"
+#include "enfilade/evaluate/regions.h"
+#include "enfilade/evaluate/report.h"
+#include "enfilade/evaluate/walls.h"
+
+namespace enfilade {
+namespace {
+
+int CountMatches(const std::vector<int>& matches) {
+  return static_cast<int>(
+      std::count_if(matches.begin(), matches.end(), [](int i) { return i >= 0; }));
+}
+
+// Throws when pictures are named on both sides and none agree.
+void RequireMatch(const std::vector<PictureKey>& result, const std::vector<PictureKey>& truth,
+                  int num_matched) {
+  if (num_matched > 0 || result.empty() || truth.empty()) return;
+  throw InvalidInputError("truth",
+                          "none of its " + std::to_string(truth.size()) +
+                              " pictures is among the result's " + std::to_string(result.size()) +
+                              " (neither by hash nor by file name)",
+                          "give the truth of the same home");
+}
+
+void AddColumns(const ColumnFigures& columns, MetricReport& figures) {
+  figures["column_median_deg"] = columns.error_median_deg;
+  figures["columns_within_5pct"] = columns.within_5pct;
+  figures["columns_within_10pct"] = columns.within_10pct;
+  figures["panorama_iou_median"] = columns.iou_median;
+  figures["panorama_ceiling_median_m"] = columns.ceiling_error_median_m;
+  figures["panoramas_judged"] = static_cast<double>(columns.panoramas.size());
+}
+
+void AddRegions(const RegionFigures& regions, MetricReport& figures) {
+  figures["area_iou_net"] = regions.iou_net;
+  figures["area_iou_gross"] = regions.iou_gross;
+  figures["area_error_gross"] = regions.error_gross;
+  figures["area_net_m2"] = regions.area_net_m2;
+  figures["area_gross_m2"] = regions.area_gross_m2;
+  figures["truth_area_net_m2"] = regions.truth_area_net_m2;
+  figures["truth_area_gross_m2"] = regions.truth_area_gross_m2;
+}
+
+void AddWalls(const WallFigures& walls, MetricReport& figures) {
+  figures["wall_plan_to_truth_median_m"] = walls.plan_to_truth_median_m;
+  figures["wall_plan_to_truth_p95_m"] = walls.plan_to_truth_p95_m;
+  figures["wall_truth_to_plan_median_m"] = walls.truth_to_plan_median_m;
+  figures["wall_truth_to_plan_p95_m"] = walls.truth_to_plan_p95_m;
+  figures["wall_within_10cm"] = walls.within_10cm;
+}
+
+void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricReport& figures) {
+  const JudgedPlan result_plan = JudgedPlanOf(floorplan);
+  const JudgedPlan truth_plan = JudgedPlanOf(truth);
+  if (Area(NetRegion(truth_plan)) > 0)
+    AddRegions(EvaluateRegions(result_plan, truth_plan), figures);
+  AddWalls(EvaluateWalls(result_plan, truth_plan), figures);
+}
+
+}  // namespace
+
+void EvaluateOptions::Visit(OptionVisitor& v) {
+  v("columns", columns, "Wall distances of single panoramas.");
+}
+
+EvaluationReport Evaluate(const EvaluationInput& input, const GroundTruth& truth,
+                          const EvaluateOptions& options, RunContext& context) {
+  ENFILADE_CHECK(input.structure == nullptr || input.scene != nullptr);
+  EvaluationReport report;
+  report.figures = EmptyReport();
+  const std::vector<PictureKey> truth_keys = PictureKeys(truth);
+  if (input.scene != nullptr || input.floorplan != nullptr) {
+    const std::vector<PictureKey> keys =
+        input.scene != nullptr ? PictureKeys(*input.scene) : PictureKeys(*input.floorplan);
+    const std::vector<int> matches = MatchPictures(keys, truth_keys);
+    report.num_matched = CountMatches(matches);
+    RequireMatch(keys, truth_keys, report.num_matched);
+    if (input.structure != nullptr) {
+      report.columns =
+          EvaluateColumns(*input.scene, *input.structure, truth, matches, options.columns);
+      AddColumns(report.columns, report.figures);
+    }
+  }
+  context.CheckStop();
+  if (input.floorplan != nullptr) EvaluatePlan(*input.floorplan, truth, report.figures);
+  context.log().Info("evaluate: " + std::to_string(report.num_matched) + " of " +
+                     std::to_string(truth_keys.size()) + " true pictures matched");
+  return report;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/evaluate/judged_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "enfilade/geometry/boolean.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Groups of indices 0 … size − 1 (union-find); the smallest index of a group stands for it.
+class Groups {
+ public:
+  explicit Groups(size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  [[nodiscard]] size_t Find(size_t i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
+  void Join(size_t i, size_t j) {
+    const size_t a = Find(i), b = Find(j);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<size_t> parent_;
+};
+
+Vector2d ToWorld(const Rigid3& world_from_home, const Vector2d& p) {
+  return (world_from_home * Vector3d(p.x(), p.y(), 0)).head<2>();
+}
+
+Ring2 ToWorld(const Rigid3& world_from_home, Ring2 ring) {
+  for (Vector2d& p : ring) p = ToWorld(world_from_home, p);
+  return ring;
+}
+
+Polygon2 ToWorld(const Rigid3& world_from_home, const Polygon2& polygon) {
+  Polygon2 result{ToWorld(world_from_home, polygon.outer), {}};
+  for (const Ring2& hole : polygon.holes) result.holes.push_back(ToWorld(world_from_home, hole));
+  return result;
+}
+
+double Length(const Segment2& segment) { return (segment[1] - segment[0]).norm(); }
+Vector2d Center(const Segment2& segment) { return 0.5 * (segment[0] + segment[1]); }
+
+// The storey's rooms, those that a wide opening joins taken together, in the order of their first.
+std::vector<JudgedRoom> JoinedRooms(const Storey& storey, const Rigid3& world_from_home) {
+  std::map<int, size_t> idx_of_id;
+  for (size_t i = 0; i < storey.rooms.size(); ++i) idx_of_id[storey.rooms[i].id] = i;
+  Groups groups(storey.rooms.size());
+  for (const Opening& opening : storey.openings) {
+    if (opening.kind != OpeningKind::kOpening || !opening.other_room_id) continue;
+    if ((opening.b - opening.a).norm() <= kRoomJoiningOpening_m) continue;
+    const auto room = idx_of_id.find(opening.room_id);
+    const auto other = idx_of_id.find(*opening.other_room_id);
+    if (room != idx_of_id.end() && other != idx_of_id.end())
+      groups.Join(room->second, other->second);
+  }
+  std::vector<JudgedRoom> joined;
+  std::map<size_t, size_t> joined_idx;
+  for (size_t i = 0; i < storey.rooms.size(); ++i) {
+    const Room& room = storey.rooms[i];
+    const auto [entry, is_new] = joined_idx.emplace(groups.Find(i), joined.size());
+    if (is_new) joined.push_back({{}, room.ceiling_z - room.floor_z});
+    MultiPolygon2& region = joined[entry->second].region;
+    region = Union(region, {ToWorld(world_from_home, room.polygon)});
+  }
+  return joined;
+}
+
+// Interval [first, second] of the segment's length that the opening covers; empty when first ≥
+// second.
+std::pair<double, double> CoveredInterval(const Segment2& segment, const Segment2& opening) {
+  const double length = Length(segment);
+  const Vector2d direction = (segment[1] - segment[0]) / length;
+  const double a = (opening[0] - segment[0]).dot(direction);
+  const double b = (opening[1] - segment[0]).dot(direction);
+  return {std::max(0.0, std::min(a, b)), std::min(length, std::max(a, b))};
+}
+
+bool IsCutInto(const Segment2& segment, const Segment2& opening) {
+  if (!AreParallelWalls(segment, opening)) return false;
+  const Vector2d direction = (segment[1] - segment[0]).normalized();
+  const Vector2d offset = Center(opening) - segment[0];
+  return std::abs(direction.x() * offset.y() - direction.y() * offset.x()) <= kOpeningReach_m;
+}
+
+void CutSegment(const Segment2& segment, const std::vector<Segment2>& openings,
+                std::vector<Segment2>& parts) {
+  std::vector<std::pair<double, double>> cuts;
+  for (const Segment2& opening : openings) {
+    if (IsCutInto(segment, opening)) cuts.push_back(CoveredInterval(segment, opening));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const double length = Length(segment);
+  const Vector2d direction = (segment[1] - segment[0]) / length;
+  const auto keep = [&](double from, double to) {
+    if (to > from) parts.push_back({segment[0] + from * direction, segment[0] + to * direction});
+  };
+  double done = 0;
+  for (const auto& [from, to] : cuts) {
+    if (from >= to) continue;
+    keep(done, from);
+    done = std::max(done, to);
+  }
+  keep(done, length);
+}
+
+void AppendEdges(const Ring2& ring, std::vector<Segment2>& edges) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vector2d& next = ring[(i + 1) % ring.size()];
+    if (ring[i] != next) edges.push_back({ring[i], next});
+  }
+}
+
+}  // namespace
+
+bool AreParallelWalls(const Segment2& a, const Segment2& b) {
+  const double cosine = std::abs((a[1] - a[0]).normalized().dot((b[1] - b[0]).normalized()));
+  return cosine >= std::cos(kMaxWallAngle_rad);
+}
+
+std::vector<Segment2> OutlineOf(const MultiPolygon2& region) {
+  std::vector<Segment2> edges;
+  for (const Polygon2& part : region) {
+    AppendEdges(part.outer, edges);
+    for (const Ring2& hole : part.holes) AppendEdges(hole, edges);
+  }
+  return edges;
+}
+
+std::vector<Segment2> CutOpenings(const std::vector<Segment2>& segments,
+                                  const std::vector<Segment2>& openings) {
+  std::vector<Segment2> parts;
+  for (const Segment2& segment : segments) CutSegment(segment, openings, parts);
+  return parts;
+}
+
+std::vector<Segment2> MergeDoors(const std::vector<Segment2>& doors) {
+  Groups groups(doors.size());
+  for (size_t i = 0; i < doors.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      if ((Center(doors[i]) - Center(doors[j])).norm() < kDoorDistance_m) groups.Join(i, j);
+    }
+  }
+  std::map<size_t, Segment2> longest;
+  for (size_t i = 0; i < doors.size(); ++i) {
+    const auto [entry, is_new] = longest.emplace(groups.Find(i), doors[i]);
+    if (!is_new && Length(doors[i]) > Length(entry->second)) entry->second = doors[i];
+  }
+  std::vector<Segment2> merged;
+  for (const auto& [group, door] : longest) merged.push_back(door);
+  return merged;
+}
+
+JudgedPlan JudgedPlanOf(const GroundTruth& truth) {
+  JudgedPlan plan;
+  for (const TruthRoom& room : truth.rooms) {
+    JudgedRoom judged{room.region, std::nullopt};
+    if (room.floor_z && room.ceiling_z) judged.ceiling_m = *room.ceiling_z - *room.floor_z;
+    plan.rooms.push_back(std::move(judged));
+  }
+  for (const Segment2& wall : truth.walls) {
+    if (Length(wall) > 0) plan.walls.push_back(wall);
+  }
+  plan.doors = MergeDoors(truth.doors);
+  return plan;
+}
+
+JudgedPlan JudgedPlanOf(const Floorplan& floorplan) {
+  JudgedPlan plan;
+  const Rigid3 world_from_home = floorplan.home_from_world.Inverse();
+  std::vector<Segment2> doors;
+  for (const Storey& storey : floorplan.storeys) {
+    std::vector<Segment2> gaps;
+    for (const Opening& opening : storey.openings) {
+      if (opening.kind == OpeningKind::kWindow || opening.a == opening.b) continue;
+      gaps.push_back({ToWorld(world_from_home, opening.a), ToWorld(world_from_home, opening.b)});
+      if (opening.kind == OpeningKind::kDoor) doors.push_back(gaps.back());
+    }
+    for (const Room& room : storey.rooms) {
+      const MultiPolygon2 region = {ToWorld(world_from_home, room.polygon)};
+      const std::vector<Segment2> walls = CutOpenings(OutlineOf(region), gaps);
+      plan.walls.insert(plan.walls.end(), walls.begin(), walls.end());
+    }
+    std::vector<JudgedRoom> rooms = JoinedRooms(storey, world_from_home);
+    std::move(rooms.begin(), rooms.end(), std::back_inserter(plan.rooms));
+  }
+  plan.doors = MergeDoors(doors);
+  return plan;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/evaluate/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace enfilade {
+namespace {
+
+constexpr FigureInfo kFigures[] = {
+    {"area_iou_net", "area", FigureUnit::kShare},
+    {"area_iou_gross", "area", FigureUnit::kShare},
+    {"area_error_gross", "area", FigureUnit::kShare},
+    {"area_net_m2", "area", FigureUnit::kSquareMetres},
+    {"area_gross_m2", "area", FigureUnit::kSquareMetres},
+    {"truth_area_net_m2", "area", FigureUnit::kSquareMetres},
+    {"truth_area_gross_m2", "area", FigureUnit::kSquareMetres},
+    {"wall_plan_to_truth_median_m", "walls", FigureUnit::kMetres},
+    {"wall_plan_to_truth_p95_m", "walls", FigureUnit::kMetres},
+    {"wall_truth_to_plan_median_m", "walls", FigureUnit::kMetres},
+    {"wall_truth_to_plan_p95_m", "walls", FigureUnit::kMetres},
+    {"wall_within_10cm", "walls", FigureUnit::kShare},
+    {"column_median_deg", "columns", FigureUnit::kDegrees},
+    {"columns_within_5pct", "columns", FigureUnit::kShare},
+    {"columns_within_10pct", "columns", FigureUnit::kShare},
+    {"panorama_iou_median", "columns", FigureUnit::kShare},
+    {"panoramas_judged", "columns", FigureUnit::kCount},
+    {"ceiling_median_m", "ceilings", FigureUnit::kMetres},
+    {"panorama_ceiling_median_m", "ceilings", FigureUnit::kMetres},
+    {"rooms_total", "rooms", FigureUnit::kCount},
+    {"rooms_iou50", "rooms", FigureUnit::kCount},
+    {"rooms_iou70", "rooms", FigureUnit::kCount},
+    {"rooms_iou90", "rooms", FigureUnit::kCount},
+    {"rooms_split", "rooms", FigureUnit::kCount},
+    {"rooms_merged", "rooms", FigureUnit::kCount},
+    {"rooms_false", "rooms", FigureUnit::kCount},
+    {"room_f1_10cm", "rooms", FigureUnit::kShare},
+    {"corner_f1_10cm", "rooms", FigureUnit::kShare},
+    {"room_f1", "rooms, Structured3D protocol", FigureUnit::kShare},
+    {"corner_f1", "rooms, Structured3D protocol", FigureUnit::kShare},
+    {"angle_f1", "rooms, Structured3D protocol", FigureUnit::kShare},
+    {"door_precision", "doors", FigureUnit::kShare},
+    {"door_recall", "doors", FigureUnit::kShare},
+    {"door_graph_precision", "doors", FigureUnit::kShare},
+    {"door_graph_recall", "doors", FigureUnit::kShare},
+    {"pose_total", "poses", FigureUnit::kCount},
+    {"pose_registered", "poses", FigureUnit::kCount},
+    {"pose_inferred", "poses", FigureUnit::kCount},
+    {"pose_components", "poses", FigureUnit::kCount},
+    {"pose_median_m", "poses", FigureUnit::kMetres},
+    {"pose_max_m", "poses", FigureUnit::kMetres},
+    {"pose_yaw_median_deg", "poses", FigureUnit::kDegrees},
+    {"pose_tilt_median_deg", "poses", FigureUnit::kDegrees},
+    {"pose_scale_error", "poses", FigureUnit::kShare},
+    {"label_accuracy", "labels", FigureUnit::kShare},
+    {"label_iou_mean", "labels", FigureUnit::kShare},
+    {"sigma1_coverage", "uncertainty", FigureUnit::kShare},
+    {"sigma2_coverage", "uncertainty", FigureUnit::kShare},
+    {"self_score", "without truth", FigureUnit::kShare},
+    {"seconds", "cost", FigureUnit::kSeconds},
+    {"peak_memory_mb", "cost", FigureUnit::kMegabytes},
+};
+constexpr size_t kKeyWidth = 30;
+
+std::string FormatValue(const std::optional<double>& value, FigureUnit unit) {
+  if (!value) return fmt::format("{:>9}", "n/a");
+  switch (unit) {
+    case FigureUnit::kCount:
+      return fmt::format("{:>9.0f}", *value);
+    case FigureUnit::kShare:
+      return fmt::format("{:>9.3f}", *value);
+    case FigureUnit::kMetres:
+      return fmt::format("{:>9.3f} m", *value);
+    case FigureUnit::kSquareMetres:
+      return fmt::format("{:>9.1f} m²", *value);
+    case FigureUnit::kDegrees:
+      return fmt::format("{:>9.2f} °", *value);
+    case FigureUnit::kSeconds:
+      return fmt::format("{:>9.1f} s", *value);
+    case FigureUnit::kMegabytes:
+      return fmt::format("{:>9.0f} MB", *value);
+  }
+  return {};
+}
+
+nlohmann::json ToJson(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json ValueToJson(const std::optional<double>& value, FigureUnit unit) {
+  if (value && unit == FigureUnit::kCount) return static_cast<int64_t>(*value);
+  return ToJson(value);
+}
+
+nlohmann::json ToJson(const PanoramaFigures& panorama) {
+  return {{"picture", panorama.picture},
+          {"columns", panorama.num_columns},
+          {"column_median_deg", ToJson(panorama.error_median_deg)},
+          {"relative_median", ToJson(panorama.relative_error_median)},
+          {"distance_median_m", ToJson(panorama.error_median_m)},
+          {"within_5pct", ToJson(panorama.within_5pct)},
+          {"within_10pct", ToJson(panorama.within_10pct)},
+          {"iou", ToJson(panorama.iou)},
+          {"ceiling_m", ToJson(panorama.ceiling_error_m)}};
+}
+
+const FigureInfo* FindFigure(std::string_view key) {
+  const auto* info =
+      std::find_if(std::begin(kFigures), std::end(kFigures),
+                   [&](const FigureInfo& candidate) { return candidate.key == key; });
+  return info != std::end(kFigures) ? info : nullptr;
+}
+
+std::string FormatGroup(std::string_view group, const MetricReport& report) {
+  std::string lines;
+  bool has_value = false;
+  for (const FigureInfo& info : kFigures) {
+    const auto entry = report.find(std::string(info.key));
+    if (info.group != group || entry == report.end()) continue;
+    has_value = has_value || entry->second.has_value();
+    lines +=
+        fmt::format("  {:<{}}{}\n", info.key, kKeyWidth, FormatValue(entry->second, info.unit));
+  }
+  return has_value ? fmt::format("{}\n{}", group, lines) : std::string();
+}
+
+}  // namespace
+
+std::span<const FigureInfo> FigureInfos() { return kFigures; }
+
+MetricReport EmptyReport() {
+  MetricReport report;
+  for (const FigureInfo& info : kFigures) report.emplace(info.key, std::nullopt);
+  return report;
+}
+
+std::string FormatReport(const MetricReport& report) {
+  std::string table;
+  std::string_view group;
+  for (const FigureInfo& info : kFigures) {
+    if (info.group == group) continue;
+    group = info.group;
+    table += FormatGroup(group, report);
+  }
+  std::string others;
+  for (const auto& [key, value] : report) {
+    if (FindFigure(key) != nullptr) continue;
+    others += fmt::format("  {:<{}}{}\n", key, kKeyWidth, FormatValue(value, FigureUnit::kShare));
+  }
+  return others.empty() ? table : table + "other\n" + others;
+}
+
+nlohmann::json ReportToJson(const MetricReport& report) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [key, value] : report) {
+    const FigureInfo* info = FindFigure(key);
+    json[key] = ValueToJson(value, info != nullptr ? info->unit : FigureUnit::kShare);
+  }
+  return json;
+}
+
+nlohmann::json ReportToJson(const EvaluationReport& report) {
+  nlohmann::json json = ReportToJson(report.figures);
+  json["panoramas"] = nlohmann::json::array();
+  for (const PanoramaFigures& panorama : report.columns.panoramas) {
+    json["panoramas"].push_back(ToJson(panorama));
+  }
+  return json;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/evaluate/evaluate.h"
+
+#include <gtest/gtest.h>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/evaluate/report.h"
+#include "tests/evaluate/small_home.h"
+
+namespace enfilade {
+namespace {
+
+EvaluationReport Judge(const EvaluationInput& input, const GroundTruth& truth) {
+  RunContext context(1);
+  return Evaluate(input, truth, {}, context);
+}
+
+TEST(Evaluate, TruthAgainstItselfIsPerfect) {
+  const SmallHome home = MakeSmallHome();
+  const EvaluationReport report = Judge({&home.scene, &home.structure, &home.plan}, home.truth);
+  EXPECT_EQ(report.num_matched, 3);
+  EXPECT_NEAR(*report.figures.at("area_iou_net"), 1, 1e-9);
+  EXPECT_NEAR(*report.figures.at("area_iou_gross"), 1, 1e-9);
+  EXPECT_NEAR(*report.figures.at("area_error_gross"), 0, 1e-9);
+  EXPECT_NEAR(*report.figures.at("wall_plan_to_truth_p95_m"), 0, 1e-9);
+  EXPECT_NEAR(*report.figures.at("wall_truth_to_plan_p95_m"), 0, 1e-9);
+  EXPECT_EQ(report.figures.at("wall_within_10cm"), 1.0);
+  EXPECT_EQ(report.figures.at("columns_within_5pct"), 1.0);
+  EXPECT_NEAR(*report.figures.at("column_median_deg"), 0, 1e-4);
+}
+
+TEST(Evaluate, HasEveryKeyAndNoOther) {
+  const SmallHome home = MakeSmallHome();
+  const EvaluationReport report = Judge({&home.scene, &home.structure, &home.plan}, home.truth);
+  EXPECT_EQ(report.figures.size(), FigureInfos().size());
+}
+
+TEST(Evaluate, WhatHasNotRunIsNone) {
+  const SmallHome home = MakeSmallHome();
+  const EvaluationReport only_plan = Judge({nullptr, nullptr, &home.plan}, home.truth);
+  EXPECT_EQ(only_plan.figures.at("column_median_deg"), std::nullopt);
+  EXPECT_TRUE(only_plan.figures.at("area_iou_net"));
+  const EvaluationReport only_structure =
+      Judge({&home.scene, &home.structure, nullptr}, home.truth);
+  EXPECT_TRUE(only_structure.figures.at("column_median_deg"));
+  EXPECT_EQ(only_structure.figures.at("area_iou_net"), std::nullopt);
+  for (const auto& [key, value] : Judge({}, home.truth).figures)
+    EXPECT_EQ(value, std::nullopt) << key;
+}
+
+TEST(Evaluate, RefusesTheTruthOfAnotherHome) {
+  SmallHome home = MakeSmallHome();
+  for (TruthView& view : home.truth.views) {
+    view.picture = "other_" + view.picture;
+    view.sha256 = "";
+  }
+  EXPECT_THROW((void)Judge({&home.scene, &home.structure, nullptr}, home.truth), InvalidInputError);
+  EXPECT_THROW((void)Judge({nullptr, nullptr, &home.plan}, home.truth), InvalidInputError);
+  home.truth.views[2].picture = home.scene.views[2].picture;  // one is enough
+  EXPECT_EQ(Judge({&home.scene, &home.structure, nullptr}, home.truth).num_matched, 1);
+}
+
+TEST(Evaluate, ATruthWithoutPicturesJudgesThePlan) {
+  SmallHome home = MakeSmallHome();
+  home.truth.views.clear();
+  const EvaluationReport report = Judge({&home.scene, &home.structure, &home.plan}, home.truth);
+  EXPECT_NEAR(*report.figures.at("area_iou_net"), 1, 1e-9);
+  EXPECT_EQ(report.figures.at("column_median_deg"), std::nullopt);
+}
+
+TEST(Evaluate, ATruthWithoutRoomsJudgesTheColumns) {
+  SmallHome home = MakeSmallHome();
+  home.truth.rooms.clear();
+  home.truth.walls.clear();
+  const EvaluationReport report = Judge({&home.scene, &home.structure, &home.plan}, home.truth);
+  EXPECT_EQ(report.figures.at("area_iou_net"), std::nullopt);
+  EXPECT_EQ(report.figures.at("wall_within_10cm"), std::nullopt);
+  EXPECT_EQ(report.figures.at("columns_within_5pct"), 1.0);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/evaluate/small_home.h"
+
+#include <cmath>
+
+#include "enfilade/geometry/angles.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+constexpr int kNumColumns = 360;
+constexpr double kHeading_rad = DegToRad(20);
+constexpr double kCameraHeight_m = 1.4;
+constexpr double kCeilings_m[] = {2.4, 2.5, 2.6};
+const Vector2d kCameras[] = {{1.3, 1.2}, {6.5, 1.7}, {3.9, 3.8}};
+
+Rigid3 HomeFromWorld() { return {RotationZ(-kHeading_rad), {0, 0, 0}}; }
+
+Vector2d ToHome(const Vector2d& p) {
+  return (HomeFromWorld() * Vector3d(p.x(), p.y(), 0)).head<2>();
+}
+
+// An upright camera at (x, y), looking along the azimuth `yaw_rad`.
+Rigid3 UprightCamera(const Vector2d& position, double yaw_rad) {
+  Rigid3 pose;
+  pose.rotation.col(0) = Vector3d(std::sin(yaw_rad), -std::cos(yaw_rad), 0);  // right
+  pose.rotation.col(1) = Vector3d(0, 0, -1);                                  // down
+  pose.rotation.col(2) = Vector3d(std::cos(yaw_rad), std::sin(yaw_rad), 0);   // forward
+  pose.translation = Vector3d(position.x(), position.y(), kCameraHeight_m);
+  return pose;
+}
+
+// Every edge of the rooms less the doors, by hand: the doors lie on the horizontal edges.
+std::vector<std::array<Vector2d, 2>> Walls() {
+  return {{Vector2d(0, 0), Vector2d(4, 0)},         {Vector2d(4, 0), Vector2d(4, 3)},
+          {Vector2d(4, 3), Vector2d(1.9, 3)},       {Vector2d(1, 3), Vector2d(0, 3)},
+          {Vector2d(0, 3), Vector2d(0, 0)},         {Vector2d(4.1, 0), Vector2d(8.1, 0)},
+          {Vector2d(8.1, 0), Vector2d(8.1, 3)},     {Vector2d(8.1, 3), Vector2d(6.9, 3)},
+          {Vector2d(6, 3), Vector2d(4.1, 3)},       {Vector2d(4.1, 3), Vector2d(4.1, 0)},
+          {Vector2d(0, 3.1), Vector2d(1, 3.1)},     {Vector2d(1.9, 3.1), Vector2d(6, 3.1)},
+          {Vector2d(6.9, 3.1), Vector2d(8.1, 3.1)}, {Vector2d(8.1, 3.1), Vector2d(8.1, 4.6)},
+          {Vector2d(8.1, 4.6), Vector2d(0, 4.6)},   {Vector2d(0, 4.6), Vector2d(0, 3.1)}};
+}
+
+WallProfile MakeProfile(int view_idx, const Ring2& room, const Vector2d& camera, double ceiling_z) {
+  WallProfile profile;
+  profile.view_idx = view_idx;
+  profile.ceiling_z = ceiling_z;
+  for (int c = 0; c < kNumColumns; ++c) {
+    const double azimuth = AzimuthOfColumn(c, kNumColumns) + kHeading_rad;
+    const double r = RayDistance(room, camera, Vector2d(std::cos(azimuth), std::sin(azimuth)));
+    profile.wall_m.push_back(static_cast<float>(r));
+  }
+  profile.obstacle_m = profile.wall_m;
+  profile.confidence.assign(kNumColumns, 1.0F);
+  profile.is_seen.assign(kNumColumns, 1);
+  return profile;
+}
+
+}  // namespace
+
+std::vector<Ring2> SmallHomeRooms() {
+  return {ParseRing("0,0 4,0 4,3 0,3"), ParseRing("4.1,0 8.1,0 8.1,3 4.1,3"),
+          ParseRing("0,3.1 8.1,3.1 8.1,4.6 0,4.6")};
+}
+
+std::vector<Opening> SmallHomeDoors() {
+  Opening left;
+  left.a = Vector2d(1.0, 3.05);
+  left.b = Vector2d(1.9, 3.05);
+  left.head_z = 2.0;
+  left.room_id = 0;
+  left.other_room_id = 2;
+  Opening right = left;
+  right.id = 1;
+  right.a = Vector2d(6.0, 3.05);
+  right.b = Vector2d(6.9, 3.05);
+  right.room_id = 1;
+  return {left, right};
+}
+
+Floorplan MakePlan(const std::vector<Ring2>& rooms_in_world,
+                   const std::vector<Opening>& openings_in_world) {
+  Floorplan plan;
+  plan.home_from_world = HomeFromWorld();
+  Storey storey;
+  for (size_t i = 0; i < rooms_in_world.size(); ++i) {
+    Room room;
+    room.id = static_cast<int>(i);
+    for (const Vector2d& p : rooms_in_world[i]) room.polygon.outer.push_back(ToHome(p));
+    room.ceiling_z = kCeilings_m[i % std::size(kCeilings_m)];
+    storey.rooms.push_back(room);
+  }
+  for (Opening opening : openings_in_world) {
+    opening.a = ToHome(opening.a);
+    opening.b = ToHome(opening.b);
+    storey.openings.push_back(opening);
+  }
+  plan.storeys.push_back(storey);
+  return plan;
+}
+
+SmallHome MakeSmallHome() {
+  SmallHome home;
+  const std::vector<Ring2> rooms = SmallHomeRooms();
+  home.plan = MakePlan(rooms, SmallHomeDoors());
+  home.structure.home_from_world = HomeFromWorld();
+  home.structure.heading_rad = kHeading_rad;
+  home.structure.storeys.push_back({0.0, 2.5, 0.0});
+  home.truth.walls = Walls();
+  for (const Opening& door : SmallHomeDoors()) home.truth.doors.push_back({door.a, door.b});
+  for (int i = 0; i < static_cast<int>(rooms.size()); ++i) {
+    const size_t room = static_cast<size_t>(i);
+    home.truth.rooms.push_back({{{rooms[room], {}}}, 0, 0.0, kCeilings_m[i]});
+    TruthView truth;
+    truth.picture = "picture_" + std::to_string(i) + ".jpg";
+    truth.sha256 = std::string(64, static_cast<char>('a' + i));
+    truth.world_from_cam = UprightCamera(kCameras[i], 0.7 * i);
+    truth.camera_height_m = kCameraHeight_m;
+    truth.visible_layout = rooms[room];
+    truth.doors = home.truth.doors;
+    home.truth.views.push_back(truth);
+    View view;
+    view.picture = truth.picture;
+    view.sha256 = truth.sha256;
+    view.camera = EquirectangularCamera(1024, 512);
+    view.world_from_cam = *truth.world_from_cam;
+    home.scene.views.push_back(view);
+    home.plan.cameras.push_back({view.picture, view.sha256, 0, 0, false, view.world_from_cam});
+    home.structure.profiles.push_back(MakeProfile(i, rooms[room], kCameras[i], kCeilings_m[i]));
+  }
+  return home;
+}
+
+}  // namespace enfilade
