@@ -6,10 +6,12 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
+#include "enfilade/evaluate/doors.h"
 #include "enfilade/evaluate/judged_plan.h"
 #include "enfilade/evaluate/picture_matching.h"
 #include "enfilade/evaluate/regions.h"
 #include "enfilade/evaluate/report.h"
+#include "enfilade/evaluate/rooms.h"
 #include "enfilade/evaluate/walls.h"
 
 namespace enfilade {
@@ -58,12 +60,35 @@ void AddWalls(const WallFigures& walls, MetricReport& figures) {
   figures["wall_within_10cm"] = walls.within_10cm;
 }
 
+void AddRooms(const RoomFigures& rooms, MetricReport& figures) {
+  figures["rooms_total"] = rooms.total;
+  figures["rooms_iou50"] = rooms.iou50;
+  figures["rooms_iou70"] = rooms.iou70;
+  figures["rooms_iou90"] = rooms.iou90;
+  figures["rooms_split"] = rooms.split;
+  figures["rooms_merged"] = rooms.merged;
+  figures["rooms_false"] = rooms.false_rooms;
+  figures["room_f1_10cm"] = rooms.f1_10cm;
+  figures["corner_f1_10cm"] = rooms.corner_f1_10cm;
+  figures["ceiling_median_m"] = rooms.ceiling_median_m;
+}
+
+void AddDoors(const DoorFigures& doors, MetricReport& figures) {
+  figures["door_precision"] = doors.precision;
+  figures["door_recall"] = doors.recall;
+  figures["door_graph_precision"] = doors.graph_precision;
+  figures["door_graph_recall"] = doors.graph_recall;
+}
+
 void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricReport& figures) {
   const JudgedPlan result_plan = JudgedPlanOf(floorplan);
   const JudgedPlan truth_plan = JudgedPlanOf(truth);
-  if (Area(NetRegion(truth_plan)) > 0)
+  if (Area(NetRegion(truth_plan)) > 0) {
     AddRegions(EvaluateRegions(result_plan, truth_plan), figures);
+    AddRooms(EvaluateRooms(result_plan, truth_plan), figures);
+  }
   AddWalls(EvaluateWalls(result_plan, truth_plan), figures);
+  AddDoors(EvaluateDoors(result_plan, truth_plan), figures);
 }
 
 }  // namespace

@@ -66,12 +66,20 @@ std::vector<JudgedRoom> JoinedRooms(const Storey& storey, const Rigid3& world_fr
   }
   std::vector<JudgedRoom> joined;
   std::map<size_t, size_t> joined_idx;
+  std::vector<double> largest_m2;  // part of each joined room: its ceiling stands for all
   for (size_t i = 0; i < storey.rooms.size(); ++i) {
     const Room& room = storey.rooms[i];
     const auto [entry, is_new] = joined_idx.emplace(groups.Find(i), joined.size());
-    if (is_new) joined.push_back({{}, room.ceiling_z - room.floor_z});
-    MultiPolygon2& region = joined[entry->second].region;
-    region = Union(region, {ToWorld(world_from_home, room.polygon)});
+    const size_t j = entry->second;
+    if (is_new) {
+      joined.emplace_back();
+      largest_m2.push_back(-1);
+    }
+    joined[j].region = Union(joined[j].region, {ToWorld(world_from_home, room.polygon)});
+    if (Area(room.polygon) > largest_m2[j]) {
+      largest_m2[j] = Area(room.polygon);
+      joined[j].ceiling_m = room.ceiling_z - room.floor_z;
+    }
   }
   return joined;
 }

@@ -45,7 +45,8 @@ inline constexpr double kDoorDistance_m = 0.4;
 [[nodiscard]] JudgedPlan JudgedPlanOf(const GroundTruth& truth);
 
 /// Polygons are brought from the home frame to the world. Rooms joined by a wide opening
-/// become one; the walls are the outlines of the rooms as they stand, less doors and openings.
+/// become one, with the ceiling of the largest; the walls are the outlines of the rooms as they
+/// stand, less doors and openings.
 [[nodiscard]] JudgedPlan JudgedPlanOf(const Floorplan& floorplan);
 
 /// The parts of `segments` that lie in none of `openings`: an opening takes out what it covers,
