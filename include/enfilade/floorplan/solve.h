@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "enfilade/base/options.h"
+#include "enfilade/base/run_context.h"
+#include "enfilade/evidence/types.h"
+#include "enfilade/floorplan/types.h"
+#include "enfilade/scene/types.h"
+#include "enfilade/structure/types.h"
+
+namespace enfilade {
+
+/// How the outlines are drawn. All costs are in metres of unseen wall.
+struct FloorplanOptions {
+  double turn_cost_m = 0.25;
+  double margin_m = 2.5;
+  double seen_wall_log_odds = 2;
+  double free_depth_m = 0.3;
+  double outside_weight = 8;
+  double inside_weight = 8;
+
+  double solid_log_odds = 0.5;
+  double min_solid_area_m2 = 0.03;
+  double min_solid_length_m = 0.4;
+  double max_bridge_m = 0.15;
+  double max_island_cost = 0.5;
+
+  double slide_m = 0.15;
+  double min_room_m2 = 0.25;
+  double wall_thickness_m = 0.12;
+
+  void Visit(OptionVisitor& v);
+};
+
+enum class FloorplanOutcome { kFound, kNoCore, kNoLoop };
+[[nodiscard]] std::span<const std::string_view> EnumNames(FloorplanOutcome);
+
+struct FloorplanReport {
+  FloorplanOutcome outcome = FloorplanOutcome::kNoCore;
+  std::string reason;       ///< one line; empty when every core got its loop
+  int num_cores = 0;        ///< in all storeys
+  int num_loops = 0;        ///< outer loops found
+  int num_inner_loops = 0;  ///< holes: pillars and free-standing walls
+  int num_inner_walls = 0;  ///< walls that run into a room from its outline
+  int num_slid_segments = 0;
+  int64_t num_settled = 0;  ///< states that the loop solver visited
+  Floorplan plan;           ///< empty storeys where nothing was found
+};
+
+/// Draws the rooms of every storey: for each core component the cheapest Manhattan loop round it.
+///
+/// A step of the loop costs its length where no wall is seen, more where free space lies outside or
+/// solid wall inside, and every corner costs turn_cost_m. Solid wall that the loop encloses is cut
+/// out: as a bay of the outline where it hangs together with the outside, else as a hole with its
+/// own loop. Then every segment slides along its normal to the wall evidence. Cores get disjoint
+/// territories, so rooms do not overlap.
+///
+/// `evidence` has one entry a storey of `structure`. Guarantees: rings are simple, orientations
+/// those of Polygon2, rooms of a storey are disjoint, walls are the edges of the rooms in ring
+/// order with the room on their left. One room a loop; no openings. A storey without core has no
+/// rooms.
+///
+/// After Cabral & Furukawa, "Piecewise Planar and Compact Floorplan Reconstruction from Images"
+/// (CVPR 2014); what differs is in docs/algorithms/floorplan.md.
+[[nodiscard]] FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
+                                             const std::vector<EvidenceGrids>& evidence,
+                                             const FloorplanOptions& options, RunContext& context);
+
+}  // namespace enfilade

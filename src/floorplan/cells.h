@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "enfilade/image/image.h"
+#include "enfilade/optim/grid_loop.h"
+
+namespace enfilade {
+
+using ImageI = Image<int>;
+
+/// 1 for the cells inside a ring of cell corners.
+[[nodiscard]] ImageU8 CellsInside(int rows, int cols, const std::vector<GridVertex>& ring);
+
+/// The cells of one 4-connected set, as indices row · cols + col in ascending order.
+using CellSet = std::vector<int>;
+
+/// The 4-connected components of the non-zero cells, in the order of their first cell.
+[[nodiscard]] std::vector<CellSet> ConnectedCells(const ImageU8& cells);
+
+/// Cheapest ways over cell sides from sources.
+struct CellWays {
+  ImageF cost;    ///< sum over the cells entered; infinity where there is no way
+  ImageI source;  ///< label of the source, −1 where there is no way
+  ImageI parent;  ///< index of the previous cell, −1 at sources
+};
+
+/// Dijkstra over 4-neighbours. `cell_cost` is what entering a cell costs, negative where no way
+/// leads through; cells with source ≥ 0 are where ways start. Ties are broken by the cells' order.
+[[nodiscard]] CellWays FindCellWays(const ImageF& cell_cost, const ImageI& source);
+
+}  // namespace enfilade

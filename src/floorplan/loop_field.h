@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "enfilade/evidence/types.h"
+#include "enfilade/floorplan/solve.h"
+#include "enfilade/image/image.h"
+#include "enfilade/optim/grid_loop.h"
+
+namespace enfilade {
+
+/// Costs are counted in millimetres of unseen wall.
+inline constexpr double kCostPerMetre = 1000;
+
+/// The evidence of one storey as the loop solver needs it.
+struct LoopField {
+  GridFrame frame;
+  ImageF wall;      ///< log-odds of a wall face
+  ImageF freeness;  ///< 1 surely free, 0 unknown, −1 surely solid
+  ImageF faceness;  ///< 0 no wall face seen in the cell … 1 one surely seen
+  /// For GridLoopProblem: loops with the room on their left.
+  std::vector<uint16_t> step_cost;
+};
+
+[[nodiscard]] LoopField MakeLoopField(const EvidenceGrids& evidence,
+                                      const FloorplanOptions& options);
+
+/// The costs for loops with the room on their right: every step costs what its reverse did.
+[[nodiscard]] std::vector<uint16_t> ReversedStepCosts(const LoopField& field);
+
+/// Blocks the steps whose left cell is set, so that no loop encloses the set cells unless it goes
+/// all round a whole 4-connected set of them.
+void BlockCells(const ImageU8& cells, GridLoopProblem& problem);
+
+}  // namespace enfilade

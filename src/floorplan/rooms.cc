@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/floorplan/rooms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/floorplan/slide.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSeenShare = 0.7;
+constexpr double kPartlyShare = 0.25;
+constexpr double kMinSigma_m = 0.015;
+constexpr double kInferredSigma_m = 0.25;
+
+/// The smallest value with at least half of the weight at or below it.
+double WeightedMedian(std::vector<std::pair<double, double>> values, double fallback) {
+  std::sort(values.begin(), values.end());
+  double total = 0, sum = 0;
+  for (const auto& [value, weight] : values) total += weight;
+  if (total <= 0) return fallback;
+  for (const auto& [value, weight] : values) {
+    sum += weight;
+    if (sum >= 0.5 * total) return value;
+  }
+  return values.back().first;
+}
+
+Wall MakeWall(const LoopField& field, const Vector2d& a, const Vector2d& b,
+              const FloorplanOptions& options) {
+  Wall wall;
+  wall.a = a;
+  wall.b = b;
+  wall.thickness_m = options.wall_thickness_m;
+  const WallBand band = MeasureWallBand(field, a, b, options.slide_m);
+  wall.seen = band.seen_share >= kSeenShare     ? WallSeen::kSeen
+              : band.seen_share >= kPartlyShare ? WallSeen::kPartly
+                                                : WallSeen::kInferred;
+  const bool is_measured = band.has_peak && wall.seen != WallSeen::kInferred;
+  wall.sigma_m = is_measured ? std::max(band.sigma_m, kMinSigma_m) : kInferredSigma_m;
+  return wall;
+}
+
+}  // namespace
+
+std::vector<HeightSample> HeightSamples(const Scene& scene, const Structure& structure,
+                                        int storey_idx) {
+  std::vector<HeightSample> samples;
+  for (const WallProfile& profile : structure.profiles) {
+    const View& view = scene.views[static_cast<size_t>(profile.view_idx)];
+    if (view.storey_idx != storey_idx) continue;
+    const Eigen::Vector3d position = structure.home_from_world * view.world_from_cam.translation;
+    samples.push_back(
+        {position.head<2>(), profile.floor_z, profile.ceiling_z, profile.ceiling_weight});
+  }
+  return samples;
+}
+
+Ring2 RingInMetres(const GridFrame& frame, const std::vector<GridVertex>& ring) {
+  Ring2 result;
+  for (const GridVertex& vertex : ring) {
+    result.push_back(frame.origin + frame.cell_m * Vector2d(vertex.col, vertex.row));
+  }
+  return result;
+}
+
+void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
+             const std::vector<HeightSample>& samples, const FloorplanOptions& options,
+             Storey& storey) {
+  Room room;
+  room.id = static_cast<int>(storey.rooms.size());
+  room.polygon = polygon;
+  std::vector<std::pair<double, double>> floors, ceilings;
+  for (const HeightSample& sample : samples) {
+    if (!Contains(polygon, sample.position)) continue;
+    floors.emplace_back(sample.floor_z, 1.0);
+    ceilings.emplace_back(sample.ceiling_z, sample.ceiling_weight);
+  }
+  room.floor_z = WeightedMedian(floors, heights.floor_z);
+  room.ceiling_z = WeightedMedian(ceilings, heights.ceiling_z);
+
+  double variance = 0;
+  const auto add_walls = [&](const Ring2& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      Wall wall = MakeWall(field, ring[i], ring[(i + 1) % ring.size()], options);
+      wall.id = static_cast<int>(storey.walls.size());
+      wall.room_id = room.id;
+      variance += (wall.b - wall.a).squaredNorm() * wall.sigma_m * wall.sigma_m;
+      storey.walls.push_back(std::move(wall));
+    }
+  };
+  add_walls(polygon.outer);
+  for (const Ring2& hole : polygon.holes) add_walls(hole);
+  room.area_sigma_m2 = std::sqrt(variance);
+  storey.rooms.push_back(std::move(room));
+}
+
+}  // namespace enfilade

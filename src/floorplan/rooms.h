@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "enfilade/floorplan/solve.h"
+#include "enfilade/geometry/polygon2.h"
+#include "src/floorplan/loop_field.h"
+
+namespace enfilade {
+
+/// What profiles say about heights, at a camera's place in the plan.
+struct HeightSample {
+  Eigen::Vector2d position;
+  double floor_z = 0;
+  double ceiling_z = 0;
+  double ceiling_weight = 0;
+};
+
+[[nodiscard]] std::vector<HeightSample> HeightSamples(const Scene& scene,
+                                                      const Structure& structure, int storey_idx);
+
+/// The polygon on the grid as lengths.
+[[nodiscard]] Ring2 RingInMetres(const GridFrame& frame, const std::vector<GridVertex>& ring);
+
+/// Adds a room and its walls to the storey. Heights are weighted medians over the cameras inside,
+/// else those of the storey.
+void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
+             const std::vector<HeightSample>& samples, const FloorplanOptions& options,
+             Storey& storey);
+
+}  // namespace enfilade

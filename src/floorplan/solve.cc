@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/floorplan/solve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "enfilade/base/check.h"
+#include "enfilade/geometry/boolean.h"
+#include "src/floorplan/cells.h"
+#include "src/floorplan/loop_field.h"
+#include "src/floorplan/outline.h"
+#include "src/floorplan/rooms.h"
+#include "src/floorplan/slide.h"
+
+namespace enfilade {
+namespace {
+
+/// The cells of every core; of a core in several pieces, the largest.
+std::vector<ImageU8> SeparateCores(const EvidenceGrids& evidence) {
+  std::vector<ImageU8> cores;
+  for (int k = 1; k <= evidence.num_cores; ++k) {
+    ImageU8 cells(evidence.frame.rows, evidence.frame.cols);
+    for (size_t i = 0; i < cells.data().size(); ++i) cells.data()[i] = evidence.core.data()[i] == k;
+    const std::vector<CellSet> sets = ConnectedCells(cells);
+    if (sets.empty()) continue;
+    const CellSet& largest =
+        *std::max_element(sets.begin(), sets.end(),
+                          [](const CellSet& a, const CellSet& b) { return a.size() < b.size(); });
+    std::fill(cells.data().begin(), cells.data().end(), uint8_t{0});
+    for (const int cell : largest) cells.data()[static_cast<size_t>(cell)] = 1;
+    cores.push_back(std::move(cells));
+  }
+  return cores;
+}
+
+/// For every cell the core from which it is reached most easily, walls being hard to pass: cores
+/// meet in the middle of the wall between them.
+ImageI AssignTerritories(const LoopField& field, const std::vector<ImageU8>& cores) {
+  ImageF cost(field.frame.rows, field.frame.cols);
+  ImageI source(field.frame.rows, field.frame.cols, 1, -1);
+  for (size_t i = 0; i < cost.data().size(); ++i) {
+    const float solid = std::max(-field.freeness.data()[i], field.faceness.data()[i]);
+    cost.data()[i] = 1 + 30 * std::max(solid, 0.0F);
+    for (size_t k = 0; k < cores.size(); ++k) {
+      if (cores[k].data()[i] != 0) source.data()[i] = static_cast<int>(k);
+    }
+  }
+  return FindCellWays(cost, source).source;
+}
+
+ImageU8 ForeignCells(const ImageI& territories, int own) {
+  ImageU8 foreign(territories.rows(), territories.cols());
+  for (size_t i = 0; i < foreign.data().size(); ++i)
+    foreign.data()[i] = territories.data()[i] != own;
+  return foreign;
+}
+
+Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
+  MultiPolygon2 region = {{RingInMetres(field.frame, outline.outer), {}}};
+  for (const auto& island : outline.islands) {
+    region = Difference(region, {{RingInMetres(field.frame, island), {}}});
+  }
+  const auto largest =
+      std::max_element(region.begin(), region.end(),
+                       [](const Polygon2& a, const Polygon2& b) { return Area(a) < Area(b); });
+  if (largest == region.end()) return {};
+  Polygon2 polygon{RemoveCollinear(largest->outer), {}};
+  for (const Ring2& hole : largest->holes) polygon.holes.push_back(RemoveCollinear(hole));
+  return polygon;
+}
+
+/// What remains of each polygon without the larger ones; in the given order.
+void RemoveOverlaps(std::vector<Polygon2>& polygons) {
+  std::vector<size_t> order(polygons.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return Area(polygons[a]) > Area(polygons[b]); });
+  MultiPolygon2 taken;
+  for (const size_t i : order) {
+    if (Area(Intersection({polygons[i]}, taken)) > 1e-6) {
+      const MultiPolygon2 rest = Difference({polygons[i]}, taken);
+      const auto largest =
+          std::max_element(rest.begin(), rest.end(),
+                           [](const Polygon2& a, const Polygon2& b) { return Area(a) < Area(b); });
+      polygons[i] = largest != rest.end() ? *largest : Polygon2{};
+    }
+    if (!polygons[i].outer.empty()) taken.push_back(polygons[i]);
+  }
+}
+
+class Solver {
+ public:
+  Solver(const FloorplanOptions& options, RunContext& context, FloorplanReport& report)
+      : options_(options), context_(context), report_(report) {}
+
+  void AddStorey(const EvidenceGrids& evidence, const StoreyStructure& heights,
+                 const std::vector<HeightSample>& samples) {
+    Storey& storey = report_.plan.storeys.emplace_back();
+    storey.id = static_cast<int>(report_.plan.storeys.size()) - 1;
+    storey.floor_z = heights.floor_z;
+    const std::vector<ImageU8> cores = SeparateCores(evidence);
+    report_.num_cores += static_cast<int>(cores.size());
+    if (cores.empty()) return;
+    const LoopField field = MakeLoopField(evidence, options_);
+    std::vector<Polygon2> polygons = DrawPolygons(field, cores);
+    RemoveOverlaps(polygons);
+    for (const Polygon2& polygon : polygons) {
+      if (Area(polygon) < options_.min_room_m2) continue;
+      AddRoom(field, polygon, heights, samples, options_, storey);
+    }
+  }
+
+ private:
+  std::vector<Polygon2> DrawPolygons(const LoopField& field, const std::vector<ImageU8>& cores) {
+    const ImageI territories = AssignTerritories(field, cores);
+    std::vector<Polygon2> polygons(cores.size());
+    std::vector<GridOutline> outlines(cores.size());
+    ParallelFor(context_, "floorplan", static_cast<int64_t>(cores.size()), [&](int64_t task) {
+      const auto k = static_cast<size_t>(task);
+      outlines[k] = FindOutline(field, cores[k], ForeignCells(territories, static_cast<int>(k)),
+                                options_, context_);
+      if (outlines[k].outcome == GridLoopOutcome::kFound)
+        polygons[k] = ToPolygon(field, outlines[k]);
+    });
+    for (size_t k = 0; k < cores.size(); ++k) {
+      const GridOutline& outline = outlines[k];
+      report_.num_settled += outline.num_settled;
+      if (polygons[k].outer.empty()) {
+        report_.reason =
+            fmt::format("core {} has no loop: {}", k,
+                        EnumNames(outline.outcome)[static_cast<size_t>(outline.outcome)]);
+        context_.log().Warning(report_.reason);
+        continue;
+      }
+      ++report_.num_loops;
+      report_.num_inner_loops += static_cast<int>(polygons[k].holes.size());
+      report_.num_inner_walls += outline.num_inner_walls;
+      if (options_.slide_m > 0)
+        report_.num_slid_segments += SlideToEvidence(field, options_.slide_m, polygons[k]);
+    }
+    return polygons;
+  }
+
+  const FloorplanOptions& options_;
+  RunContext& context_;
+  FloorplanReport& report_;
+};
+
+std::vector<PlanCamera> PlanCameras(const Scene& scene) {
+  std::vector<PlanCamera> cameras;
+  for (const View& view : scene.views) {
+    cameras.push_back({view.picture, view.sha256, view.storey_idx, view.component_idx,
+                       view.is_pose_inferred, view.world_from_cam});
+  }
+  return cameras;
+}
+
+}  // namespace
+
+void FloorplanOptions::Visit(OptionVisitor& v) {
+  v("turn_cost_m", turn_cost_m, "Cost of a corner, in metres of unseen wall.", {0.001, 10});
+  v("margin_m", margin_m, "How far from the core walls are looked for.", {0.05, 100});
+  v("seen_wall_log_odds", seen_wall_log_odds, "Wall evidence from which a wall counts as seen.",
+    {0.01, 100});
+  v("free_depth_m", free_depth_m, "How far beside a wall free and solid space count.", {0.01, 5});
+  v("outside_weight", outside_weight, "Cost of a square metre of free space left outside.",
+    {0, 1000});
+  v("inside_weight", inside_weight, "Cost of a square metre of solid wall taken in.", {0, 1000});
+  v("solid_log_odds", solid_log_odds, "How surely not free a cell of solid wall is.", {0, 100});
+  v("min_solid_area_m2", min_solid_area_m2, "Smallest inner wall or pillar.", {0, 100});
+  v("min_solid_length_m", min_solid_length_m, "Shortest inner wall or pillar.", {0, 100});
+  v("max_bridge_m", max_bridge_m,
+    "Free space between an inner wall and the outside that is no gap.", {0, 10});
+  v("max_island_cost", max_island_cost, "Largest cost a metre of a loop round an inner wall.",
+    {0, 100});
+  v("slide_m", slide_m, "How far walls may slide to the evidence; 0 leaves them on the grid.",
+    {0, 1});
+  v("min_room_m2", min_room_m2, "Smaller rooms are dropped.", {0, 100});
+  v("wall_thickness_m", wall_thickness_m, "Assumed thickness of walls.", {0.01, 2});
+}
+
+std::span<const std::string_view> EnumNames(FloorplanOutcome) {
+  static constexpr std::array<std::string_view, 3> kNames = {"found", "no_core", "no_loop"};
+  return kNames;
+}
+
+FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
+                               const std::vector<EvidenceGrids>& evidence,
+                               const FloorplanOptions& options, RunContext& context) {
+  ENFILADE_CHECK(evidence.size() == structure.storeys.size());
+  FloorplanReport report;
+  report.plan.home_from_world = structure.home_from_world;
+  report.plan.cameras = PlanCameras(scene);
+  Solver solver(options, context, report);
+  for (size_t i = 0; i < evidence.size(); ++i) {
+    solver.AddStorey(evidence[i], structure.storeys[i],
+                     HeightSamples(scene, structure, static_cast<int>(i)));
+  }
+  if (report.num_cores == 0) {
+    report.outcome = FloorplanOutcome::kNoCore;
+    report.reason = "no free space that surely lies inside was found";
+  } else {
+    report.outcome = report.num_loops > 0 ? FloorplanOutcome::kFound : FloorplanOutcome::kNoLoop;
+  }
+  return report;
+}
+
+}  // namespace enfilade
