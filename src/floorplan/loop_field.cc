@@ -52,12 +52,22 @@ uint16_t ToUnits(double cost_m) {
   return static_cast<uint16_t>(std::clamp(std::lround(cost_m * kCostPerMetre), 0L, 60000L));
 }
 
-void FillNormalised(const EvidenceGrids& evidence, const FloorplanOptions& options,
-                    LoopField& field) {
+void NormaliseLogOdds(const EvidenceGrids& evidence, const FloorplanOptions& options,
+                      LoopField& field) {
   for (size_t i = 0; i < evidence.wall.data().size(); ++i) {
-    const float wall = evidence.wall.data()[i] / static_cast<float>(options.seen_wall_log_odds);
-    field.faceness.data()[i] = std::clamp(wall, 0.0F, 1.0F);
-    field.freeness.data()[i] = std::tanh(0.5F * evidence.free.data()[i]);
+    const float wall = evidence.wall.data()[i], free = evidence.free.data()[i];
+    field.faceness.data()[i] =
+        std::clamp(wall / static_cast<float>(options.seen_wall_log_odds), 0.0F, 1.0F);
+    field.freeness.data()[i] = std::tanh(0.5F * free);
+    field.solidity.data()[i] = static_cast<float>(options.wall_share) * std::max(wall, 0.0F) - free;
+  }
+}
+
+void NormaliseCounts(const EvidenceGrids& evidence, const FloorplanOptions& options,
+                     LoopField& field) {
+  for (size_t i = 0; i < evidence.wall.data().size(); ++i) {
+    field.faceness.data()[i] =
+        evidence.wall.data()[i] >= static_cast<float>(options.counts_threshold) ? 1 : 0;
   }
 }
 
@@ -70,7 +80,16 @@ LoopField MakeLoopField(const EvidenceGrids& evidence, const FloorplanOptions& o
   field.wall = evidence.wall;
   field.freeness = ImageF(rows, cols);
   field.faceness = ImageF(rows, cols);
-  FillNormalised(evidence, options, field);
+  field.solidity = ImageF(rows, cols);
+  field.has_freeness = evidence.mode == EvidenceMode::kLogOdds;
+  const double turn_cost_m =
+      field.has_freeness ? options.turn_cost_m : options.counts_turn_cells * field.frame.cell_m;
+  field.turn_cost = std::max(1, static_cast<int>(std::lround(turn_cost_m * kCostPerMetre)));
+  if (field.has_freeness) {
+    NormaliseLogOdds(evidence, options, field);
+  } else {
+    NormaliseCounts(evidence, options, field);
+  }
 
   GridLoopProblem layout;
   layout.rows = rows;

@@ -7,8 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "enfilade/image/distance_transform.h"
+
 namespace enfilade {
 namespace {
+
+constexpr double kTrim_m = 0.1;
+constexpr double kIslandMargin_m = 0.5;
 
 GridLoopProblem MakeProblem(const LoopField& field, std::vector<uint16_t> step_cost,
                             const ImageU8& core, const FloorplanOptions& options) {
@@ -17,21 +22,33 @@ GridLoopProblem MakeProblem(const LoopField& field, std::vector<uint16_t> step_c
   problem.cols = field.frame.cols;
   problem.core = core.data();
   problem.step_cost = std::move(step_cost);
-  problem.turn_cost =
-      std::max(1, static_cast<int>(std::lround(options.turn_cost_m * kCostPerMetre)));
+  problem.turn_cost = field.turn_cost;
   problem.margin_cells = static_cast<int>(std::lround(options.margin_m / field.frame.cell_m));
   return problem;
 }
 
-/// Solid wall that the ring encloses though it is too large for an error of the evidence.
-std::vector<CellSet> EnclosedSolids(const LoopField& field, const std::vector<GridVertex>& ring,
+/// Cells at least kTrim_m away from everything outside.
+ImageU8 Deep(const ImageU8& inside, double cell_m) {
+  ImageU8 outside = inside;
+  for (uint8_t& cell : outside.data()) cell ^= 1;
+  const ImageF distance = DistanceToMask(outside);
+  ImageU8 deep(inside.rows(), inside.cols());
+  for (size_t i = 0; i < deep.data().size(); ++i) {
+    deep.data()[i] = distance.data()[i] * static_cast<float>(cell_m) > static_cast<float>(kTrim_m);
+  }
+  return deep;
+}
+
+/// Solid wall that lies deep inside the ring though it is too large for an error of the evidence.
+/// Near the ring the faces of its own walls look solid.
+std::vector<CellSet> EnclosedSolids(const LoopField& field, const ImageU8& inside,
                                     const ImageU8& core, const FloorplanOptions& options) {
-  const int rows = field.frame.rows, cols = field.frame.cols;
-  ImageU8 solid = CellsInside(rows, cols, ring);
-  const auto max_freeness = static_cast<float>(std::tanh(-0.5 * options.solid_log_odds));
+  const int cols = field.frame.cols;
+  ImageU8 solid = Deep(inside, field.frame.cell_m);
+  const auto threshold = static_cast<float>(options.solid_log_odds);
   for (size_t i = 0; i < solid.data().size(); ++i) {
     solid.data()[i] &=
-        static_cast<uint8_t>(field.freeness.data()[i] <= max_freeness && core.data()[i] == 0);
+        static_cast<uint8_t>(field.solidity.data()[i] >= threshold && core.data()[i] == 0);
   }
   std::vector<CellSet> sets = ConnectedCells(solid);
   std::erase_if(sets, [&](const CellSet& set) {
@@ -99,7 +116,7 @@ std::vector<GridVertex> FindIsland(const LoopField& field, const CellSet& solid,
   ImageU8 cells(field.frame.rows, field.frame.cols);
   for (const int cell : solid) cells.data()[static_cast<size_t>(cell)] = 1;
   GridLoopProblem problem = MakeProblem(field, ReversedStepCosts(field), cells, options);
-  problem.margin_cells = static_cast<int>(std::lround(0.5 / field.frame.cell_m));
+  problem.margin_cells = static_cast<int>(std::lround(kIslandMargin_m / field.frame.cell_m));
   BlockCells(core, problem);
   GridLoopReport report = FindShortestLoop(problem);
   outline.num_settled += report.num_settled;
@@ -131,10 +148,10 @@ GridOutline FindOutline(const LoopField& field, const ImageU8& core, const Image
   outline.outer = std::move(report.ring);
   context.CheckStop();
 
-  std::vector<CellSet> solids = EnclosedSolids(field, outline.outer, core, options);
+  const ImageU8 inside = CellsInside(field.frame.rows, field.frame.cols, outline.outer);
+  std::vector<CellSet> solids = EnclosedSolids(field, inside, core, options);
   if (solids.empty()) return outline;
   const CellWays ways = WaysFromOutside(field, core);
-  const ImageU8 inside = CellsInside(field.frame.rows, field.frame.cols, outline.outer);
   ImageU8 walls = foreign;
   std::vector<CellSet> free_standing;
   for (CellSet& solid : solids) {

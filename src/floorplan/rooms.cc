@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "src/floorplan/slide.h"
+#include "src/floorplan/wall_band.h"
 
 namespace enfilade {
 namespace {

@@ -4,148 +4,155 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
-#include <vector>
+#include <optional>
 
-#include "enfilade/image/sampling.h"
+#include "src/floorplan/wall_band.h"
 
 namespace enfilade {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kGateDistance_m = 0.06;  // where free and solid are looked for, beside the face
-constexpr double kMinEdge_m = 0.05;
-constexpr float kMinPeak = 0.2F;  // mean log-odds along the edge
-constexpr float kSeenLogOdds = 0.5F;
+constexpr double kMinGap_m = 0.05;  // between rings, and between the two faces of a wall
+constexpr double kShortestEdge_m = 1e-3;
 
-float Sample(const GridFrame& frame, const ImageF& image, const Vector2d& p) {
-  const Vector2d pixel = (p - frame.origin) / frame.cell_m;
-  return SampleBilinear(image, pixel.x(), pixel.y());
+struct Edge {
+  size_t polygon, ring, index;  // ring 0 is the outer one
+  Vector2d a, b;                // before the slide
+  std::optional<Vector2d> shift;
+
+  [[nodiscard]] Vector2d Direction() const { return (b - a).normalized(); }
+  [[nodiscard]] Vector2d Normal() const {
+    return {-Direction().y(), Direction().x()};
+  }  // into the room
+  [[nodiscard]] double Length() const { return (b - a).norm(); }
+};
+
+Ring2& RingOf(Polygon2& polygon, size_t ring) {
+  return ring == 0 ? polygon.outer : polygon.holes[ring - 1];
 }
 
-/// How much a face at `p`, seen from the side that `normal` points to, is believed: wall evidence,
-/// with more free space before it than behind it.
-float FaceAt(const LoopField& field, const Vector2d& p, const Vector2d& normal) {
-  const float before = Sample(field.frame, field.freeness, p + kGateDistance_m * normal);
-  const float behind = Sample(field.frame, field.freeness, p - kGateDistance_m * normal);
-  return std::max(Sample(field.frame, field.wall, p), 0.0F) *
-         std::clamp(before - behind, 0.0F, 1.0F);
+std::vector<Edge> MeasureEdges(const LoopField& field, double reach_m,
+                               std::vector<Polygon2>& polygons) {
+  std::vector<Edge> edges;
+  for (size_t p = 0; p < polygons.size(); ++p) {
+    for (size_t r = 0; r <= polygons[p].holes.size(); ++r) {
+      const Ring2& ring = RingOf(polygons[p], r);
+      for (size_t i = 0; i < ring.size(); ++i) {
+        Edge edge{p, r, i, ring[i], ring[(i + 1) % ring.size()], {}};
+        const WallBand band = MeasureWallBand(field, edge.a, edge.b, reach_m);
+        if (band.has_peak) edge.shift = band.offset_m * edge.Normal();
+        edges.push_back(edge);
+      }
+    }
+  }
+  return edges;
 }
 
-bool EdgesTouch(const Ring2& a, const Ring2& b) {
+/// Two edges that look away from each other, side by side, and would meet: neither moves.
+void CancelCollapses(std::vector<Edge>& edges) {
+  const std::vector<Edge> all = edges;
+  const auto shift_of = [](const Edge& edge) { return edge.shift.value_or(Vector2d::Zero()); };
+  for (size_t i = 0; i < all.size(); ++i) {
+    for (size_t j = 0; j < all.size(); ++j) {
+      const Vector2d along = all[i].Direction(), normal = all[i].Normal();
+      if (along.dot(all[j].Direction()) > -0.99) continue;
+      const double from = std::max(0.0, along.dot(all[j].b - all[i].a));
+      const double to = std::min(all[i].Length(), along.dot(all[j].a - all[i].a));
+      if (to - from < kMinGap_m) continue;
+      const double gap = normal.dot(all[i].a - all[j].a);
+      const double new_gap = gap + normal.dot(shift_of(all[i]) - shift_of(all[j]));
+      if (gap > 0 && new_gap < std::min(gap, kMinGap_m)) edges[i].shift.reset();
+    }
+  }
+}
+
+bool RingsTouch(const Ring2& a, const Ring2& b) {
   for (const Vector2d& p : a) {
     for (size_t i = 0; i < b.size(); ++i) {
-      if (DistanceToSegment(p, b[i], b[(i + 1) % b.size()]) < kMinEdge_m) return true;
+      if (DistanceToSegment(p, b[i], b[(i + 1) % b.size()]) < kMinGap_m) return true;
     }
   }
   return false;
 }
 
-bool IsValid(const Polygon2& polygon, size_t ring_idx) {
-  const Ring2& ring = ring_idx == 0 ? polygon.outer : polygon.holes[ring_idx - 1];
-  for (size_t i = 0; i < ring.size(); ++i) {
-    if ((ring[(i + 1) % ring.size()] - ring[i]).norm() < 1e-3) return false;
-  }
+bool IsValid(Polygon2& polygon, size_t ring_idx) {
+  const Ring2& ring = RingOf(polygon, ring_idx);
   if (!IsSimple(ring)) return false;
   if (ring_idx > 0 && !Contains(polygon.outer, ring[0])) return false;
   for (size_t k = 0; k <= polygon.holes.size(); ++k) {
     if (k == ring_idx) continue;
-    const Ring2& other = k == 0 ? polygon.outer : polygon.holes[k - 1];
-    if (EdgesTouch(ring, other) || EdgesTouch(other, ring)) return false;
+    const Ring2& other = RingOf(polygon, k);
+    if (RingsTouch(ring, other) || RingsTouch(other, ring)) return false;
   }
   return true;
 }
 
-int SlideRing(const LoopField& field, double reach_m, size_t ring_idx, Polygon2& polygon) {
-  Ring2& ring = ring_idx == 0 ? polygon.outer : polygon.holes[ring_idx - 1];
-  const size_t n = ring.size();
-  const Ring2 original = ring;
-  const auto length = [&](size_t i) { return (original[(i + 1) % n] - original[i]).norm(); };
-  std::vector<size_t> order(n);
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return length(a) > length(b); });
-  int num_moved = 0;
-  for (const size_t i : order) {
-    const size_t j = (i + 1) % n;
-    const WallBand band = MeasureWallBand(field, original[i], original[j], reach_m);
-    if (!band.has_peak) continue;
-    const Vector2d direction = (original[j] - original[i]).normalized();
-    const Vector2d shift = band.offset_m * Vector2d(-direction.y(), direction.x());
-    // A neighbour edge must not turn round.
-    const size_t before = (i + n - 1) % n, after = (j + 1) % n;
-    const Vector2d old_in = ring[i] - ring[before], old_out = ring[after] - ring[j];
-    const Vector2d new_in = old_in + shift, new_out = old_out - shift;
-    if (old_in.dot(new_in) <= 0 || old_out.dot(new_out) <= 0) continue;
-    ring[i] += shift;
-    ring[j] += shift;
-    if (IsValid(polygon, ring_idx)) {
-      ++num_moved;
-    } else {
-      ring[i] -= shift;
-      ring[j] -= shift;
-    }
-  }
-  return num_moved;
+/// Moves one edge unless a neighbour would turn round or the polygon would break.
+bool MoveEdge(Polygon2& polygon, size_t ring_idx, size_t i, const Vector2d& shift) {
+  Ring2& ring = RingOf(polygon, ring_idx);
+  const size_t n = ring.size(), j = (i + 1) % n;
+  const Vector2d in = ring[i] - ring[(i + n - 1) % n], out = ring[(j + 1) % n] - ring[j];
+  const auto keeps_direction = [](const Vector2d& before, const Vector2d& after) {
+    return before.dot(after) > 0 && after.norm() > kShortestEdge_m;
+  };
+  if (!keeps_direction(in, in + shift) || !keeps_direction(out, out - shift)) return false;
+  const Vector2d old_i = ring[i], old_j = ring[j];
+  ring[i] += shift;
+  ring[j] += shift;
+  if (IsValid(polygon, ring_idx)) return true;
+  ring[i] = old_i;
+  ring[j] = old_j;
+  return false;
 }
 
-/// Centre and width of the highest peak of values at offsets -n … n times `step`. Log-odds of
-/// several views add up to a log-likelihood; its part above half of the peak is symmetric about the
-/// face.
-void LocatePeak(const std::vector<float>& values, double step, WallBand& band) {
-  const auto peak = std::max_element(values.begin(), values.end());
-  if (*peak < kMinPeak) return;
-  band.has_peak = true;
-  const float base = 0.5F * *peak;
-  const auto is_low = [&](float value) { return value <= base; };
-  const auto last = std::find_if(peak, values.end(), is_low);
-  const auto first = std::find_if(std::make_reverse_iterator(peak), values.rend(), is_low).base();
-  const double center = 0.5 * static_cast<double>(values.size() - 1);
-  double sum = 0, moment = 0, second_moment = 0;
-  for (auto value = first; value != last; ++value) {
-    const double weight = *value - base,
-                 offset = (static_cast<double>(value - values.begin()) - center) * step;
-    sum += weight;
-    moment += weight * offset;
-    second_moment += weight * offset * offset;
+/// Puts the two walls beside the jog i on the line of the longer one; the jog vanishes.
+bool StraightenJog(Polygon2& polygon, size_t ring_idx, size_t i) {
+  Ring2& ring = RingOf(polygon, ring_idx);
+  const Ring2 old = ring;
+  const size_t n = ring.size(), j = (i + 1) % n;
+  if (n <= 4) return false;
+  const Vector2d jog = ring[j] - ring[i];
+  const size_t before = (i + n - 1) % n, after = (j + 1) % n;
+  const Vector2d in = ring[i] - ring[before], out = ring[after] - ring[j];
+  if (in.dot(out) <= 0) return false;  // the end of a thin wall or a niche
+  if (in.norm() >= out.norm()) {
+    ring[after] -= jog;
+  } else {
+    ring[before] += jog;
   }
-  band.offset_m = moment / sum;
-  band.sigma_m = std::sqrt(std::max(0.0, second_moment / sum - band.offset_m * band.offset_m));
+  ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
+  ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
+  if (IsSimple(ring) && IsValid(polygon, ring_idx)) return true;
+  ring = old;
+  return false;
+}
+
+void StraightenJogs(double min_jog_m, Polygon2& polygon) {
+  for (size_t r = 0; r <= polygon.holes.size(); ++r) {
+    for (size_t i = 0; i < RingOf(polygon, r).size();) {
+      const Ring2& ring = RingOf(polygon, r);
+      const bool is_jog = (ring[(i + 1) % ring.size()] - ring[i]).norm() < min_jog_m;
+      i = is_jog && StraightenJog(polygon, r, i) ? 0 : i + 1;
+    }
+  }
 }
 
 }  // namespace
 
-WallBand MeasureWallBand(const LoopField& field, const Vector2d& a, const Vector2d& b,
-                         double reach_m) {
-  const double length = (b - a).norm(), step = 0.5 * field.frame.cell_m;
-  const Vector2d direction = (b - a) / length, normal(-direction.y(), direction.x());
-  const double inset = std::min(0.1, 0.2 * length);  // corners mix the evidence of two walls
-  const int num_along = std::max(1, static_cast<int>((length - 2 * inset) / step));
-  const int num_side = static_cast<int>(std::lround(reach_m / step));
-  std::vector<float> face(static_cast<size_t>(2 * num_side + 1));
-  WallBand band;
-  int num_seen = 0;
-  for (int k = 0; k < num_along; ++k) {
-    const Vector2d p = a + (inset + (length - 2 * inset) * (k + 0.5) / num_along) * direction;
-    float at_segment = 0;
-    for (int t = -num_side; t <= num_side; ++t) {
-      const float value = FaceAt(field, p + t * step * normal, normal);
-      face[static_cast<size_t>(t + num_side)] += value / static_cast<float>(num_along);
-      if (std::abs(t) <= 2) at_segment = std::max(at_segment, value);
-    }
-    num_seen += at_segment > kSeenLogOdds;
-  }
-  band.seen_share = static_cast<double>(num_seen) / num_along;
-  LocatePeak(face, step, band);
-  return band;
-}
-
-int SlideToEvidence(const LoopField& field, double reach_m, Polygon2& polygon) {
+int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
+                    std::vector<Polygon2>& polygons) {
+  std::vector<Edge> edges = MeasureEdges(field, reach_m, polygons);
+  CancelCollapses(edges);
+  // Long walls are surest: they move first, short ones where they still can.
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Edge& a, const Edge& b) { return a.Length() > b.Length(); });
   int num_moved = 0;
-  for (size_t k = 0; k <= polygon.holes.size(); ++k)
-    num_moved += SlideRing(field, reach_m, k, polygon);
+  for (const Edge& edge : edges) {
+    if (edge.shift)
+      num_moved += MoveEdge(polygons[edge.polygon], edge.ring, edge.index, *edge.shift);
+  }
+  for (Polygon2& polygon : polygons) StraightenJogs(min_jog_m, polygon);
   return num_moved;
 }
 

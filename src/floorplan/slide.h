@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "enfilade/evidence/types.h"
+#include <vector>
+
 #include "enfilade/geometry/polygon2.h"
 #include "src/floorplan/loop_field.h"
 
 namespace enfilade {
 
-/// Wall evidence beside a segment, as a function of the offset to its left.
-struct WallBand {
-  double offset_m = 0;    ///< of the evidence's peak, positive to the left
-  double sigma_m = 0;     ///< width of the peak
-  double seen_share = 0;  ///< share of the segment's length with evidence at the segment itself
-  bool has_peak = false;
-};
-
-/// Looks up to reach_m to either side of the segment a → b, which has the room on its left.
-[[nodiscard]] WallBand MeasureWallBand(const LoopField& field, const Eigen::Vector2d& a,
-                                       const Eigen::Vector2d& b, double reach_m);
-
-/// Moves every edge of an axis-parallel polygon along its normal onto the wall evidence, unless
-/// that would break the polygon. Returns the number of edges moved.
-int SlideToEvidence(const LoopField& field, double reach_m, Polygon2& polygon);
+/// Moves every edge of axis-parallel polygons, which have the rooms inside, along its normal onto
+/// the wall evidence within reach_m. Edges stay where the move would break a polygon, and where two
+/// faces of one wall would fall together: evidence too blurred to tell them apart. Jogs that become
+/// shorter than min_jog_m are straightened. Returns the number of edges moved.
+int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
+                    std::vector<Polygon2>& polygons);
 
 }  // namespace enfilade

@@ -139,8 +139,10 @@ class Solver {
       ++report_.num_loops;
       report_.num_inner_loops += static_cast<int>(polygons[k].holes.size());
       report_.num_inner_walls += outline.num_inner_walls;
-      if (options_.slide_m > 0)
-        report_.num_slid_segments += SlideToEvidence(field, options_.slide_m, polygons[k]);
+    }
+    if (options_.slide_m > 0 && field.has_freeness) {
+      report_.num_slid_segments +=
+          SlideToEvidence(field, options_.slide_m, options_.min_jog_m, polygons);
     }
     return polygons;
   }
@@ -170,6 +172,13 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
   v("outside_weight", outside_weight, "Cost of a square metre of free space left outside.",
     {0, 1000});
   v("inside_weight", inside_weight, "Cost of a square metre of solid wall taken in.", {0, 1000});
+  v("counts_threshold", counts_threshold,
+    "Evidence of raw counts: wall points from which a cell's wall counts as seen.", {1, 1e6});
+  v("counts_turn_cells", counts_turn_cells,
+    "Evidence of raw counts: cost of a corner in unseen cells, instead of turn_cost_m.",
+    {0.1, 1e6});
+  v("wall_share", wall_share, "Weight of faces beside free space when solid wall is looked for.",
+    {0, 10});
   v("solid_log_odds", solid_log_odds, "How surely not free a cell of solid wall is.", {0, 100});
   v("min_solid_area_m2", min_solid_area_m2, "Smallest inner wall or pillar.", {0, 100});
   v("min_solid_length_m", min_solid_length_m, "Shortest inner wall or pillar.", {0, 100});
@@ -179,6 +188,7 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
     {0, 100});
   v("slide_m", slide_m, "How far walls may slide to the evidence; 0 leaves them on the grid.",
     {0, 1});
+  v("min_jog_m", min_jog_m, "Shorter jogs between two walls are straightened.", {0, 1});
   v("min_room_m2", min_room_m2, "Smaller rooms are dropped.", {0, 100});
   v("wall_thickness_m", wall_thickness_m, "Assumed thickness of walls.", {0.01, 2});
 }

@@ -34,8 +34,8 @@ constexpr double kSameRoomSlack = 0.95;
 struct ViewWork {
   Vector3d position{0, 0, 0};
   LineResponse response;
-  std::vector<uint8_t> is_seen;     // per column
-  ColumnScores correlation;         // weighed
+  std::vector<uint8_t> is_seen;  // per column
+  ColumnScores correlation;      // weighed
   WallPath path;
   CeilingEstimate ceiling;
 };
@@ -81,8 +81,13 @@ class StoreySolver {
  public:
   StoreySolver(const Scene& scene, std::vector<int> members, const Rigid3& home_from_world,
                const StructureOptions& options, RunContext& context)
-      : scene_(scene), members_(std::move(members)), home_from_world_(home_from_world),
-        options_(options), context_(context), bins_(MakeBins(options)), families_(UsedFamilies(options)),
+      : scene_(scene),
+        members_(std::move(members)),
+        home_from_world_(home_from_world),
+        options_(options),
+        context_(context),
+        bins_(MakeBins(options)),
+        families_(UsedFamilies(options)),
         works_(members_.size()) {}
 
   void Solve() {
@@ -101,7 +106,9 @@ class StoreySolver {
   [[nodiscard]] StoreyStructure storey() const {
     std::vector<double> ceilings;
     for (const ViewWork& work : works_) ceilings.push_back(work.ceiling.ceiling_z);
-    std::nth_element(ceilings.begin(), ceilings.begin() + static_cast<std::ptrdiff_t>(ceilings.size() / 2), ceilings.end());
+    std::nth_element(ceilings.begin(),
+                     ceilings.begin() + static_cast<std::ptrdiff_t>(ceilings.size() / 2),
+                     ceilings.end());
     return {floor_.floor_z, ceilings[ceilings.size() / 2], floor_.baseboard_m};
   }
 
@@ -118,7 +125,8 @@ class StoreySolver {
     for (size_t c = 0; c < work.path.wall_m.size(); ++c) {
       profile.wall_m.push_back(static_cast<float>(work.path.wall_m[c]));
       profile.obstacle_m.push_back(static_cast<float>(obstacles[c]));
-      profile.confidence.push_back(Confidence(profile.wall_probability.row(static_cast<int>(c)), work.path.wall_m[c]));
+      profile.confidence.push_back(
+          Confidence(profile.wall_probability.row(static_cast<int>(c)), work.path.wall_m[c]));
     }
     return profile;
   }
@@ -131,21 +139,26 @@ class StoreySolver {
     std::vector<std::unique_ptr<StripTable>> tables(members_.size());
     double camera_z = 0;
     for (const int v : members_) {
-      camera_z += (home_from_world_ * scene_.views[static_cast<size_t>(v)].world_from_cam.translation).z();
+      camera_z +=
+          (home_from_world_ * scene_.views[static_cast<size_t>(v)].world_from_cam.translation).z();
     }
     camera_z /= static_cast<double>(members_.size());
     ParallelFor(context_, "panoramas", static_cast<int64_t>(members_.size()), [&](int64_t i) {
       const View& view = scene_.views[static_cast<size_t>(members_[static_cast<size_t>(i)])];
-      const int width = std::max(options_.num_columns, LevelWidth(view, options_.max_width) / options_.num_columns * options_.num_columns);
-      const LevelPanorama panorama = MakeLevelPanorama(view, ReadImageRgb(view.path), home_from_world_, width,
-                                                       DegToRad(options_.stand_elevation_deg));
+      const int width =
+          std::max(options_.num_columns, LevelWidth(view, options_.max_width) /
+                                             options_.num_columns * options_.num_columns);
+      const LevelPanorama panorama =
+          MakeLevelPanorama(view, ReadImageRgb(view.path), home_from_world_, width,
+                            DegToRad(options_.stand_elevation_deg));
       ViewWork& work = works_[static_cast<size_t>(i)];
       work.position = panorama.position;
       work.response = ComputeLineResponse(panorama, options_.num_columns, families_, options_.line);
       work.is_seen = SeenColumns(panorama);
       if (options_.use_correlation) {
-        tables[static_cast<size_t>(i)] = std::make_unique<StripTable>(
-            panorama, camera_z - options_.correlation.below_m, camera_z + options_.correlation.above_m, bins_);
+        tables[static_cast<size_t>(i)] =
+            std::make_unique<StripTable>(panorama, camera_z - options_.correlation.below_m,
+                                         camera_z + options_.correlation.above_m, bins_);
       }
     });
     for (auto& table : tables) {
@@ -167,9 +180,9 @@ class StoreySolver {
     std::vector<KnownDistances> known(works_.size());
     for (size_t i = 0; i < works_.size(); ++i) known[i] = works_[i].path.wall_m;
     ParallelFor(context_, "correlation", static_cast<int64_t>(works_.size()), [&](int64_t i) {
-      const ColumnScores raw = CorrelateStrips(tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)), known,
-                                               options_.num_columns, kCorrelationColumnStep, families_, bins_,
-                                               options_.correlation);
+      const ColumnScores raw = CorrelateStrips(
+          tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)), known,
+          options_.num_columns, kCorrelationColumnStep, families_, bins_, options_.correlation);
       ColumnScores weighed;
       AddScores(raw, options_.correlation_weight, weighed);
       works_[static_cast<size_t>(i)].correlation = std::move(weighed);
@@ -184,7 +197,8 @@ class StoreySolver {
     const auto distance = [&](int j) {
       return (works_[static_cast<size_t>(j)].position - works_[i].position).head<2>().norm();
     };
-    std::stable_sort(others.begin(), others.end(), [&](int a, int b) { return distance(a) < distance(b); });
+    std::stable_sort(others.begin(), others.end(),
+                     [&](int a, int b) { return distance(a) < distance(b); });
     return others;
   }
 
@@ -197,7 +211,8 @@ class StoreySolver {
     for (size_t i = 0; i < works_.size(); ++i) {
       responses[i] = Thin(works_[i].response);
       correlations[i] = Thin(works_[i].correlation);
-      views.push_back({&responses[i], &correlations[i], works_[i].position.z(), options_.use_floor});
+      views.push_back(
+          {&responses[i], &correlations[i], works_[i].position.z(), options_.use_floor});
     }
     use(views);
   }
@@ -208,7 +223,8 @@ class StoreySolver {
       const ImageU8& source = response.family[f];
       ImageU8 target(source.rows(), source.cols() / kHeightColumnStep);
       for (int r = 0; r < target.rows(); ++r) {
-        for (int c = 0; c < target.cols(); ++c) target(r, c) = source(r, c * kHeightColumnStep + kHeightColumnStep / 2);
+        for (int c = 0; c < target.cols(); ++c)
+          target(r, c) = source(r, c * kHeightColumnStep + kHeightColumnStep / 2);
       }
       thin.family[f] = std::move(target);
     }
@@ -222,7 +238,8 @@ class StoreySolver {
       if (source.empty()) continue;
       ImageF target(source.rows() / kHeightColumnStep, source.cols());
       for (int c = 0; c < target.rows(); ++c) {
-        std::copy_n(source.row(c * kHeightColumnStep + kHeightColumnStep / 2), source.cols(), target.row(c));
+        std::copy_n(source.row(c * kHeightColumnStep + kHeightColumnStep / 2), source.cols(),
+                    target.row(c));
       }
       thin.family[f] = std::move(target);
     }
@@ -231,11 +248,13 @@ class StoreySolver {
 
   void EstimateFloorHeight() {
     WithHeightViews([&](const std::vector<HeightView>& views) {
-      floor_ = EstimateFloor(views, scene_.camera_height_m.value_or(0.0), bins_, options_.viterbi, options_.height, context_);
+      floor_ = EstimateFloor(views, scene_.camera_height_m.value_or(0.0), bins_, options_.viterbi,
+                             options_.height, context_);
     });
-    context_.log().Info(fmt::format("floor at {:.3f} m, {:.3f} m below the median camera, baseboard {:.2f} m, contrast {:.3f}",
-                                    floor_.floor_z, MedianCameraZ(works_, Iota(works_.size())) - floor_.floor_z,
-                                    floor_.baseboard_m, floor_.contrast));
+    context_.log().Info(fmt::format(
+        "floor at {:.3f} m, {:.3f} m below the median camera, baseboard {:.2f} m, contrast {:.3f}",
+        floor_.floor_z, MedianCameraZ(works_, Iota(works_.size())) - floor_.floor_z,
+        floor_.baseboard_m, floor_.contrast));
   }
 
   static std::vector<int> Iota(size_t count) {
@@ -247,7 +266,8 @@ class StoreySolver {
   void EstimateCeilingHeights() {
     std::vector<CeilingEstimate> estimates;
     WithHeightViews([&](const std::vector<HeightView>& views) {
-      estimates = EstimateCeilings(views, floor_, SameRoom(), bins_, options_.viterbi, options_.height, context_);
+      estimates = EstimateCeilings(views, floor_, SameRoom(), bins_, options_.viterbi,
+                                   options_.height, context_);
     });
     for (size_t i = 0; i < works_.size(); ++i) works_[i].ceiling = estimates[i];
   }
@@ -264,7 +284,8 @@ class StoreySolver {
     std::vector<std::vector<int>> same_room(works_.size());
     for (size_t i = 0; i < works_.size(); ++i) {
       for (size_t j = 0; j < works_.size(); ++j) {
-        if (i != j && is_before_wall(works_[i], works_[j]) && is_before_wall(works_[j], works_[i])) {
+        if (i != j && is_before_wall(works_[i], works_[j]) &&
+            is_before_wall(works_[j], works_[i])) {
           same_room[i].push_back(static_cast<int>(j));
         }
       }
@@ -284,7 +305,8 @@ class StoreySolver {
         const ColumnScores floor = FloorScores(work);
         // Only the ceiling line can tell a wall behind an obstacle from the obstacle.
         const bool allow = options_.use_obstacles && with_ceiling;
-        AddScores(allow ? AllowObstacles(floor, bins_, options_.obstacle) : floor, options_.floor_weight, scores);
+        AddScores(allow ? AllowObstacles(floor, bins_, options_.obstacle) : floor,
+                  options_.floor_weight, scores);
       }
       if (with_ceiling) {
         AddScores(ScoreLine(work.response, work.position.z() - work.ceiling.ceiling_z, bins_),
@@ -303,11 +325,14 @@ class StoreySolver {
       const ImageF& score = floor.family[static_cast<size_t>(work.path.family[c])];
       const int column = static_cast<int>(c);
       const double wall_m = work.path.wall_m[c];
-      const int wall_bin = std::clamp(static_cast<int>(std::lround(bins_.Bin(wall_m))), 0, bins_.count - 1);
+      const int wall_bin =
+          std::clamp(static_cast<int>(std::lround(bins_.Bin(wall_m))), 0, bins_.count - 1);
       float best = score(column, wall_bin) + static_cast<float>(options_.obstacle.cost);
       for (int b = 0; b < wall_bin; ++b) {
         const double gap = wall_m - bins_.Distance(b);
-        if (gap < options_.obstacle.min_gap_m || gap > options_.obstacle.max_gap_m || score(column, b) <= best) continue;
+        if (gap < options_.obstacle.min_gap_m || gap > options_.obstacle.max_gap_m ||
+            score(column, b) <= best)
+          continue;
         best = score(column, b);
         obstacles[c] = bins_.Distance(b);
       }
@@ -319,7 +344,8 @@ class StoreySolver {
     ImageF probabilities(log_likelihood.rows(), log_likelihood.cols());
     for (int c = 0; c < probabilities.rows(); ++c) {
       float sum = 0;
-      for (int b = 0; b < probabilities.cols(); ++b) sum += probabilities(c, b) = std::exp(log_likelihood(c, b));
+      for (int b = 0; b < probabilities.cols(); ++b)
+        sum += probabilities(c, b) = std::exp(log_likelihood(c, b));
       for (int b = 0; b < probabilities.cols(); ++b) probabilities(c, b) /= sum;
     }
     return probabilities;
@@ -329,7 +355,8 @@ class StoreySolver {
   [[nodiscard]] float Confidence(const float* probability, double wall_m) const {
     const double bin = bins_.Bin(wall_m), reach = 0.05 / bins_.log_step;
     float sum = 0;
-    for (int b = std::max(0, static_cast<int>(std::ceil(bin - reach))); b <= std::min(bins_.count - 1, static_cast<int>(bin + reach)); ++b) {
+    for (int b = std::max(0, static_cast<int>(std::ceil(bin - reach)));
+         b <= std::min(bins_.count - 1, static_cast<int>(bin + reach)); ++b) {
       sum += probability[b];
     }
     return sum;
@@ -349,14 +376,16 @@ class StoreySolver {
 
 }  // namespace
 
-StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options, RunContext& context) {
+StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
+                                 RunContext& context) {
   ENFILADE_CHECK(!scene.views.empty());
   StructureReport report;
   Structure& structure = report.structure;
   structure.heading_rad = EstimateHeading(scene, options, context);
   structure.home_from_world.rotation = RotationZ(-structure.heading_rad);
   structure.profiles.resize(scene.views.size());
-  context.log().Info(fmt::format("heading of the walls {:.2f} degrees", RadToDeg(structure.heading_rad)));
+  context.log().Info(
+      fmt::format("heading of the walls {:.2f} degrees", RadToDeg(structure.heading_rad)));
 
   int num_storeys = 0;
   for (const View& view : scene.views) num_storeys = std::max(num_storeys, view.storey_idx + 1);

@@ -22,7 +22,8 @@ std::vector<RowRange> RowsOfBins(int rows, double height_m, const DistanceBins& 
   std::vector<RowRange> ranges;
   for (int b = 0; b < bins.count; ++b) {
     const double a = row(b - 0.5), z = row(b + 0.5);
-    ranges.push_back({std::clamp(row(b), 0.0, rows - 1.001), std::max(0, static_cast<int>(std::ceil(std::min(a, z)))),
+    ranges.push_back({std::clamp(row(b), 0.0, rows - 1.001),
+                      std::max(0, static_cast<int>(std::ceil(std::min(a, z)))),
                       std::min(rows - 1, static_cast<int>(std::floor(std::max(a, z))))});
   }
   return ranges;
@@ -33,7 +34,8 @@ float ResponseAt(const ImageU8& response, const RowRange& range, int column) {
   const int r0 = static_cast<int>(range.center);
   const float a = static_cast<float>(range.center - r0);
   float best = (1 - a) * response(r0, column) + a * response(r0 + 1, column);
-  for (int r = range.first; r <= range.last; ++r) best = std::max(best, static_cast<float>(response(r, column)));
+  for (int r = range.first; r <= range.last; ++r)
+    best = std::max(best, static_cast<float>(response(r, column)));
   return best / 255.0F;
 }
 

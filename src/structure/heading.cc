@@ -39,13 +39,15 @@ HeadingHistogram VoteHeading(const LevelPanorama& panorama, const HeadingOptions
     const double cos_el = std::cos(elevation), sin_el = std::sin(elevation);
     for (int c = 0; c < cols; ++c) {
       const int left = c > 0 ? c - 1 : cols - 1, right = c + 1 < cols ? c + 1 : 0;
-      if (!panorama.is_seen(r - 1, c) || !panorama.is_seen(r + 1, c) || !panorama.is_seen(r, left) ||
-          !panorama.is_seen(r, right)) {
+      if (!panorama.is_seen(r - 1, c) || !panorama.is_seen(r + 1, c) ||
+          !panorama.is_seen(r, left) || !panorama.is_seen(r, right)) {
         continue;
       }
       // Gradient on the sphere: columns shrink with the cosine of the elevation.
-      const double along_azimuth = 0.5 * (Gray(panorama.rgb, r, right) - Gray(panorama.rgb, r, left)) / cos_el;
-      const double along_elevation = 0.5 * (Gray(panorama.rgb, r - 1, c) - Gray(panorama.rgb, r + 1, c));
+      const double along_azimuth =
+          0.5 * (Gray(panorama.rgb, r, right) - Gray(panorama.rgb, r, left)) / cos_el;
+      const double along_elevation =
+          0.5 * (Gray(panorama.rgb, r - 1, c) - Gray(panorama.rgb, r + 1, c));
       const double strength = std::hypot(along_azimuth, along_elevation);
       if (strength < options.min_gradient) continue;
       const double azimuth = AzimuthOfColumn(c, cols);
@@ -56,9 +58,11 @@ HeadingHistogram VoteHeading(const LevelPanorama& panorama, const HeadingOptions
       const double normal_xy = std::hypot(normal.x(), normal.y());
       if (std::abs(normal.z()) < kMinNormalZ || normal_xy < kMinNormalXY) continue;
       const double heading_deg = RadToDeg(WrapQuarter(std::atan2(-normal.x(), normal.y())));
-      const int bin = std::clamp(static_cast<int>((heading_deg + 45.0) / 90.0 * num_bins), 0, num_bins - 1);
+      const int bin =
+          std::clamp(static_cast<int>((heading_deg + 45.0) / 90.0 * num_bins), 0, num_bins - 1);
       // Strong edges say little more than clear ones: the vote saturates. A pixel covers cos φ.
-      histogram[static_cast<size_t>(bin)] += cos_el * normal_xy * std::min(strength, 4 * options.min_gradient);
+      histogram[static_cast<size_t>(bin)] +=
+          cos_el * normal_xy * std::min(strength, 4 * options.min_gradient);
     }
   }
   return histogram;
@@ -69,7 +73,9 @@ double HeadingOfHistogram(const HeadingHistogram& histogram, const HeadingOption
   if (num_bins == 0) return 0;
   const double bin_deg = 90.0 / num_bins;
   const int radius = static_cast<int>(std::ceil(4 * options.kernel_deg / bin_deg));
-  const auto at = [&](int i) { return histogram[static_cast<size_t>(((i % num_bins) + num_bins) % num_bins)]; };
+  const auto at = [&](int i) {
+    return histogram[static_cast<size_t>(((i % num_bins) + num_bins) % num_bins)];
+  };
   int best = 0;
   double best_score = 0;
   for (int i = 0; i < num_bins; ++i) {

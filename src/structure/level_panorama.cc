@@ -70,8 +70,9 @@ LevelPanorama MakeLevelPanorama(const View& view, const ImageU8& picture,
                          std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
       const std::optional<Vector2d> pixel = view.camera.PixelFromRay(cam_from_frame * ray);
       if (!pixel) continue;
-      const bool is_masked = !mask.empty() && mask(std::min(static_cast<int>(pixel->y()), mask.rows() - 1),
-                                                   std::min(static_cast<int>(pixel->x()), mask.cols() - 1)) == 0;
+      const bool is_masked =
+          !mask.empty() && mask(std::min(static_cast<int>(pixel->y()), mask.rows() - 1),
+                                std::min(static_cast<int>(pixel->x()), mask.cols() - 1)) == 0;
       level.is_seen(r, c) = elevation >= stand_elevation_rad && !is_masked;
       const Vector2d p = pixel->cwiseProduct(reduction);
       for (int channel = 0; channel < 3; ++channel) {

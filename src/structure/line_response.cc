@@ -21,8 +21,8 @@ constexpr double kDerivativeSigma_px = 0.8;
 // Half size of the box over which the local mean of the gradients is taken, as a share of the rows.
 constexpr double kNoiseBoxShare = 0.02;
 
-// Derivatives (∂x, ∂y) of luminance and of two opponent colours at one pixel in fixed point; two entries
-// are padding, so that a pixel is one vector register.
+// Derivatives (∂x, ∂y) of luminance and of two opponent colours at one pixel in fixed point; two
+// entries are padding, so that a pixel is one vector register.
 using GradientPixel = std::array<int16_t, 8>;
 constexpr int kNumChannels = 3;
 // Fixed point: a sum over the longest line of the largest gradients must fit 16 bits.
@@ -56,23 +56,27 @@ Gradients ComputeGradients(const LevelPanorama& panorama) {
     }
   }
   cv::GaussianBlur(opponent, opponent, {0, 0}, kDerivativeSigma_px);
-  Gradients gradients{rows, cols, std::vector<GradientPixel>(static_cast<size_t>(rows) * static_cast<size_t>(cols))};
+  Gradients gradients{
+      rows, cols,
+      std::vector<GradientPixel>(static_cast<size_t>(rows) * static_cast<size_t>(cols))};
   for (int r = 1; r + 1 < rows; ++r) {
     const float* here = opponent.ptr<float>(r) + 3 * kPad;
     const float* above = opponent.ptr<float>(r - 1) + 3 * kPad;
     const float* below = opponent.ptr<float>(r + 1) + 3 * kPad;
-    GradientPixel* out = gradients.pixels.data() + static_cast<size_t>(r) * static_cast<size_t>(cols);
+    GradientPixel* out =
+        gradients.pixels.data() + static_cast<size_t>(r) * static_cast<size_t>(cols);
     for (int c = 0; c < cols; ++c, ++out) {
       // Pixels beside the unseen part have no gradient: its border is no line.
       const int left = c > 0 ? c - 1 : cols - 1, right = c + 1 < cols ? c + 1 : 0;
-      if (!panorama.is_seen(r - 1, c) || !panorama.is_seen(r + 1, c) || !panorama.is_seen(r, left) ||
-          !panorama.is_seen(r, right)) {
+      if (!panorama.is_seen(r - 1, c) || !panorama.is_seen(r + 1, c) ||
+          !panorama.is_seen(r, left) || !panorama.is_seen(r, right)) {
         continue;
       }
       for (int k = 0; k < kNumChannels; ++k) {
         (*out)[static_cast<size_t>(2 * k)] =
             static_cast<int16_t>(kGradientScale * (here[3 * (c + 1) + k] - here[3 * (c - 1) + k]));
-        (*out)[static_cast<size_t>(2 * k + 1)] = static_cast<int16_t>(kGradientScale * (below[3 * c + k] - above[3 * c + k]));
+        (*out)[static_cast<size_t>(2 * k + 1)] =
+            static_cast<int16_t>(kGradientScale * (below[3 * c + k] - above[3 * c + k]));
       }
     }
   }
@@ -81,7 +85,8 @@ Gradients ComputeGradients(const LevelPanorama& panorama) {
 
 // Direction, in pixels, of the image of a horizontal line that makes the angle with sine and cosine
 // `sin_off`, `cos_off` with the column's azimuth, at one elevation.
-Eigen::Vector2d LineDirection(double sin_off, double cos_off, double sin_elevation, double cos_elevation) {
+Eigen::Vector2d LineDirection(double sin_off, double cos_off, double sin_elevation,
+                              double cos_elevation) {
   // Columns shrink with cos φ; rows count downwards.
   const double x = sin_off / cos_elevation, y = sin_elevation * cos_off;
   const double length = std::sqrt(x * x + y * y);
@@ -89,10 +94,13 @@ Eigen::Vector2d LineDirection(double sin_off, double cos_off, double sin_elevati
 }
 
 // Strength of the averaged gradient across the line, grey levels.
-float AverageAcross(const Gradients& gradients, int row, int col, const Eigen::Vector2d& along, int half_length) {
+float AverageAcross(const Gradients& gradients, int row, int col, const Eigen::Vector2d& along,
+                    int half_length) {
   constexpr int kOne = 1 << 16;
-  const int step_x = static_cast<int>(along.x() * kOne), step_y = static_cast<int>(along.y() * kOne);
-  int x = col * kOne + kOne / 2 - half_length * step_x, y = row * kOne + kOne / 2 - half_length * step_y;
+  const int step_x = static_cast<int>(along.x() * kOne),
+            step_y = static_cast<int>(along.y() * kOne);
+  int x = col * kOne + kOne / 2 - half_length * step_x,
+      y = row * kOne + kOne / 2 - half_length * step_y;
   GradientPixel sum{};
   for (int s = -half_length; s <= half_length; ++s, x += step_x, y += step_y) {
     const int r = std::clamp(y >> 16, 0, gradients.rows - 1);
@@ -122,7 +130,8 @@ ImageU8 Normalise(const ImageF& strength, const LineResponseOptions& options) {
     const float* local_mean = mean.ptr<float>(r) + half;
     for (int c = 0; c < cols; ++c) {
       const float g = strength(r, c);
-      const float noise = static_cast<float>(options.noise_floor + options.noise_factor * local_mean[c]);
+      const float noise =
+          static_cast<float>(options.noise_floor + options.noise_factor * local_mean[c]);
       response(r, c) = static_cast<uint8_t>(255.0F * g * g / (g * g + noise * noise));
     }
   }
@@ -137,7 +146,8 @@ double WallDirection(int family, double column_azimuth_rad) {
 }
 
 LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
-                                 std::span<const int> families, const LineResponseOptions& options) {
+                                 std::span<const int> families,
+                                 const LineResponseOptions& options) {
   const int rows = panorama.rows(), cols = panorama.cols();
   ENFILADE_CHECK(num_columns > 0 && cols % num_columns == 0);
   ENFILADE_CHECK(options.half_length_px <= kMaxHalfLength_px);
@@ -157,9 +167,11 @@ LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
       if (std::abs(elevation) > kMaxElevation_rad) continue;
       const double sin_elevation = std::sin(elevation), cos_elevation = std::cos(elevation);
       for (int c = 0; c < num_columns; ++c) {
-        const Eigen::Vector2d along = LineDirection(sin_off[static_cast<size_t>(c)], cos_off[static_cast<size_t>(c)],
-                                                    sin_elevation, cos_elevation);
-        strength(r, c) = AverageAcross(gradients, r, c * step + step / 2, along, options.half_length_px);
+        const Eigen::Vector2d along =
+            LineDirection(sin_off[static_cast<size_t>(c)], cos_off[static_cast<size_t>(c)],
+                          sin_elevation, cos_elevation);
+        strength(r, c) =
+            AverageAcross(gradients, r, c * step + step / 2, along, options.half_length_px);
       }
     }
     response.family[static_cast<size_t>(family)] = Normalise(strength, options);

@@ -40,7 +40,9 @@ class Trellis {
   [[nodiscard]] int num_columns() const { return num_columns_; }
   [[nodiscard]] int num_states() const { return num_slots() * bins_.count; }
   [[nodiscard]] int num_slots() const { return static_cast<int>(families_.size()); }
-  [[nodiscard]] int family(int state) const { return families_[static_cast<size_t>(state / bins_.count)]; }
+  [[nodiscard]] int family(int state) const {
+    return families_[static_cast<size_t>(state / bins_.count)];
+  }
   [[nodiscard]] const float* emission(int column) const {
     return emissions_.data() + static_cast<size_t>(column) * static_cast<size_t>(num_states());
   }
@@ -49,13 +51,16 @@ class Trellis {
   [[nodiscard]] double DistanceBin(int state, double azimuth) const {
     return state % bins_.count + Shift(family(state), azimuth);
   }
-  [[nodiscard]] double ColumnAzimuth(int column) const { return AzimuthOfColumn(column, num_columns_); }
+  [[nodiscard]] double ColumnAzimuth(int column) const {
+    return AzimuthOfColumn(column, num_columns_);
+  }
 
-  // out[s] = emission(to)[s] + max over predecessors. `boundary` is the azimuth between the columns;
-  // the transition costs are symmetric, so the same step serves both directions.
+  // out[s] = emission(to)[s] + max over predecessors. `boundary` is the azimuth between the
+  // columns; the transition costs are symmetric, so the same step serves both directions.
   void Step(const Messages& in, double boundary, int to, Messages& out) const {
     const int count = bins_.count;
-    const float jump = *std::max_element(in.begin(), in.end()) - static_cast<float>(options_.jump_cost_deg);
+    const float jump =
+        *std::max_element(in.begin(), in.end()) - static_cast<float>(options_.jump_cost_deg);
     Messages widened(in.size());
     for (int g = 0; g < num_slots(); ++g) Widen(in.data() + g * count, widened.data() + g * count);
     const float* e = emission(to);
@@ -73,7 +78,8 @@ class Trellis {
         const float corner = static_cast<float>(options_.corner_cost_deg);
         for (int k = first; k < last; ++k) o[k] = std::max(o[k], w[k] - corner);
       }
-      for (int k = 0; k < count; ++k) o[k] = std::max(o[k] + e[base + static_cast<size_t>(k)], kImpossible);
+      for (int k = 0; k < count; ++k)
+        o[k] = std::max(o[k] + e[base + static_cast<size_t>(k)], kImpossible);
     }
   }
 
@@ -116,7 +122,8 @@ class Trellis {
   }
 
   [[nodiscard]] int CornerDelta(int slot, int other_slot, double boundary) const {
-    const int f = families_[static_cast<size_t>(slot)], g = families_[static_cast<size_t>(other_slot)];
+    const int f = families_[static_cast<size_t>(slot)],
+              g = families_[static_cast<size_t>(other_slot)];
     return static_cast<int>(std::lround(Shift(f, boundary) - Shift(g, boundary)));
   }
 
@@ -126,7 +133,8 @@ class Trellis {
   }
 
   void ComputeEmissions() {
-    emissions_.assign(static_cast<size_t>(num_columns_) * static_cast<size_t>(num_states()), kImpossible);
+    emissions_.assign(static_cast<size_t>(num_columns_) * static_cast<size_t>(num_states()),
+                      kImpossible);
     for (int c = 0; c < num_columns_; ++c) {
       float* e = emissions_.data() + static_cast<size_t>(c) * static_cast<size_t>(num_states());
       for (const int f : families_) {
@@ -235,13 +243,16 @@ std::vector<int> ClosedPath(const Trellis& trellis, const Anchor& anchor, double
   for (int i = n; i > 0; --i) {
     states[static_cast<size_t>((anchor.column + i) % n)] = state;
     const int from = (anchor.column + i - 1) % n;
-    state = trellis.Predecessor(lap[static_cast<size_t>(i) - 1], trellis.ColumnAzimuth(from) + kPi / n, state);
+    state = trellis.Predecessor(lap[static_cast<size_t>(i) - 1],
+                                trellis.ColumnAzimuth(from) + kPi / n, state);
   }
   return states;
 }
 
-// Offset of the plane within ± one bin at which the summed emissions of its columns peak (parabola).
-double RefineOffset(const Trellis& trellis, const std::vector<int>& columns, int state, int num_bins) {
+// Offset of the plane within ± one bin at which the summed emissions of its columns peak
+// (parabola).
+double RefineOffset(const Trellis& trellis, const std::vector<int>& columns, int state,
+                    int num_bins) {
   const int k = state % num_bins;
   if (k == 0 || k + 1 == num_bins) return k;
   double below = 0, at = 0, above = 0;
@@ -264,22 +275,27 @@ void ReadPath(const Trellis& trellis, const DistanceBins& bins, const std::vecto
   path.wall_m.resize(static_cast<size_t>(n));
   // Start at a change of state so that every wall is one run.
   int start = 0;
-  while (start < n && states[static_cast<size_t>(start)] == states[static_cast<size_t>((start + n - 1) % n)]) ++start;
+  while (start < n &&
+         states[static_cast<size_t>(start)] == states[static_cast<size_t>((start + n - 1) % n)])
+    ++start;
   start %= n;
   for (int i = 0; i < n;) {
     const int state = states[static_cast<size_t>((start + i) % n)];
     std::vector<int> columns;
-    for (; i < n && states[static_cast<size_t>((start + i) % n)] == state; ++i) columns.push_back((start + i) % n);
+    for (; i < n && states[static_cast<size_t>((start + i) % n)] == state; ++i)
+      columns.push_back((start + i) % n);
     const double offset = RefineOffset(trellis, columns, state, bins.count) - state % bins.count;
     for (const int c : columns) {
       path.family[static_cast<size_t>(c)] = trellis.family(state);
-      path.wall_m[static_cast<size_t>(c)] = bins.Distance(trellis.DistanceBin(state, trellis.ColumnAzimuth(c)) + offset);
+      path.wall_m[static_cast<size_t>(c)] =
+          bins.Distance(trellis.DistanceBin(state, trellis.ColumnAzimuth(c)) + offset);
     }
   }
 }
 
-ImageF LogLikelihood(const Trellis& trellis, const DistanceBins& bins, const std::vector<Messages>& forward,
-                     const std::vector<Messages>& backward, double temperature) {
+ImageF LogLikelihood(const Trellis& trellis, const DistanceBins& bins,
+                     const std::vector<Messages>& forward, const std::vector<Messages>& backward,
+                     double temperature) {
   const int n = trellis.num_columns();
   ImageF result(n, bins.count, 1, -std::numeric_limits<float>::infinity());
   for (int c = 0; c < n; ++c) {
@@ -292,7 +308,8 @@ ImageF LogLikelihood(const Trellis& trellis, const DistanceBins& bins, const std
         if (bin >= bins.count) break;
         const size_t s = static_cast<size_t>(slot * bins.count + k);
         if (e[s] <= kImpossible) continue;
-        row[bin] = std::max(row[bin], forward[static_cast<size_t>(c)][s] + backward[static_cast<size_t>(c)][s] - e[s]);
+        row[bin] = std::max(row[bin], forward[static_cast<size_t>(c)][s] +
+                                          backward[static_cast<size_t>(c)][s] - e[s]);
       }
     }
     const float top = *std::max_element(row, row + bins.count);

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "enfilade/base/file.h"
-#include "tests/support/source_folder.h"
 #include "tests/e2e/program.h"
+#include "tests/support/source_folder.h"
 
 namespace enfilade {
 namespace {

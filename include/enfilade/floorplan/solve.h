@@ -25,13 +25,18 @@ struct FloorplanOptions {
   double outside_weight = 8;
   double inside_weight = 8;
 
+  int counts_threshold = 5;
+  double counts_turn_cells = 5;
+
+  double wall_share = 0.5;
   double solid_log_odds = 0.5;
   double min_solid_area_m2 = 0.03;
-  double min_solid_length_m = 0.4;
+  double min_solid_length_m = 0.3;
   double max_bridge_m = 0.15;
   double max_island_cost = 0.5;
 
   double slide_m = 0.15;
+  double min_jog_m = 0.05;
   double min_room_m2 = 0.25;
   double wall_thickness_m = 0.12;
 
@@ -60,6 +65,10 @@ struct FloorplanReport {
 /// out: as a bay of the outline where it hangs together with the outside, else as a hole with its
 /// own loop. Then every segment slides along its normal to the wall evidence. Cores get disjoint
 /// territories, so rooms do not overlap.
+///
+/// Evidence of raw counts is drawn with the cost of the paper: a cell of the outline costs one
+/// where it has fewer than counts_threshold wall points, a corner counts_turn_cells; free space has
+/// no say.
 ///
 /// `evidence` has one entry a storey of `structure`. Guarantees: rings are simple, orientations
 /// those of Polygon2, rooms of a storey are disjoint, walls are the edges of the rooms in ring

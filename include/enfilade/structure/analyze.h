@@ -70,13 +70,14 @@ struct StructureReport {
 
 /// Finds directions, heights and wall profiles of the whole home.
 ///
-/// Steps: the heading is pooled over all panoramas (great-circle gradient voting); every panorama is
-/// turned into the home frame; line responses and strip correlations are computed; the floor is
+/// Steps: the heading is pooled over all panoramas (great-circle gradient voting); every panorama
+/// is turned into the home frame; line responses and strip correlations are computed; the floor is
 /// found per storey, the ceiling per room; a circular Viterbi over the distance explains each
 /// panorama's floor line, ceiling line and correlation, first without, then with knowledge of where
 /// the other panoramas' walls are. Pictures are decoded twice and not kept.
 ///
-/// Requires at least one view. Throws IoError or InvalidInputError for pictures that cannot be read.
+/// Requires at least one view. Throws IoError or InvalidInputError for pictures that cannot be
+/// read.
 [[nodiscard]] StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
                                                RunContext& context);
 

@@ -20,7 +20,9 @@ struct DistanceBins {
 
   [[nodiscard]] double Distance(double bin) const { return min_m * std::exp(bin * log_step); }
   /// Continuous bin of a distance; may lie outside [0, count).
-  [[nodiscard]] double Bin(double distance_m) const { return std::log(distance_m / min_m) / log_step; }
+  [[nodiscard]] double Bin(double distance_m) const {
+    return std::log(distance_m / min_m) / log_step;
+  }
   [[nodiscard]] std::vector<double> Centers() const;
 };
 
@@ -30,13 +32,14 @@ struct ColumnScores {
   std::vector<ImageF> family = std::vector<ImageF>(kNumFamilies);
 };
 
-/// Response of the line at `height_m` below the camera (negative: above it) as a function of distance.
+/// Response of the line at `height_m` below the camera (negative: above it) as a function of
+/// distance.
 [[nodiscard]] ColumnScores ScoreLine(const LineResponse& response, double height_m,
                                      const DistanceBins& bins);
 
-/// Mean response of the floor line at `floor_m` below the camera and, when `baseboard_m` > 0, of the
-/// upper edge of the baseboard: the edge between floor and wall is a double edge, and taking the
-/// stronger one alone biases every distance.
+/// Mean response of the floor line at `floor_m` below the camera and, when `baseboard_m` > 0, of
+/// the upper edge of the baseboard: the edge between floor and wall is a double edge, and taking
+/// the stronger one alone biases every distance.
 [[nodiscard]] ColumnScores ScoreFloor(const LineResponse& response, double floor_m,
                                       double baseboard_m, const DistanceBins& bins);
 
@@ -46,15 +49,16 @@ struct ObstacleOptions {
   double cost = 0.15;
 
   void Visit(OptionVisitor& v) {
-    v("min_gap_m", min_gap_m, "Least distance from the first obstacle to the wall behind it, metres.",
-      {0.05, 2.0});
+    v("min_gap_m", min_gap_m,
+      "Least distance from the first obstacle to the wall behind it, metres.", {0.05, 2.0});
     v("max_gap_m", max_gap_m, "Largest such distance, metres.", {0.05, 5.0});
-    v("cost", cost, "Response that the obstacle's floor line must gain over the wall's.", {0.0, 1.0});
+    v("cost", cost, "Response that the obstacle's floor line must gain over the wall's.",
+      {0.0, 1.0});
   }
 };
 
-/// Lets something stand before the wall: the best floor score of the wall itself or, less a cost, of an
-/// obstacle in front of it within the allowed gap.
+/// Lets something stand before the wall: the best floor score of the wall itself or, less a cost,
+/// of an obstacle in front of it within the allowed gap.
 [[nodiscard]] ColumnScores AllowObstacles(const ColumnScores& floor, const DistanceBins& bins,
                                           const ObstacleOptions& options);
 

@@ -22,18 +22,20 @@ struct HeadingOptions {
   }
 };
 
-/// Votes for the heading of the home's walls, folded to a quarter turn: bin i stands for the heading
-/// −45° + (i + ½)·bin_deg. Histograms of several panoramas in one frame add up.
+/// Votes for the heading of the home's walls, folded to a quarter turn: bin i stands for the
+/// heading −45° + (i + ½)·bin_deg. Histograms of several panoramas in one frame add up.
 using HeadingHistogram = std::vector<double>;
 
-/// One panorama's votes (great-circle gradient voting): an edge pixel whose gradient is g spans, with
-/// the camera, a plane; the plane's horizontal direction is the direction of the edge's line if
-/// that line is horizontal. Vertical edges, edges near the horizon (whose plane says nothing) and
-/// unseen pixels do not vote.
-[[nodiscard]] HeadingHistogram VoteHeading(const LevelPanorama& panorama, const HeadingOptions& options);
+/// One panorama's votes (great-circle gradient voting): an edge pixel whose gradient is g spans,
+/// with the camera, a plane; the plane's horizontal direction is the direction of the edge's line
+/// if that line is horizontal. Vertical edges, edges near the horizon (whose plane says nothing)
+/// and unseen pixels do not vote.
+[[nodiscard]] HeadingHistogram VoteHeading(const LevelPanorama& panorama,
+                                           const HeadingOptions& options);
 
 /// Heading of the strongest peak, in [−π/4, π/4), refined by the weighted circular mean about it.
 /// An empty or flat histogram gives 0.
-[[nodiscard]] double HeadingOfHistogram(const HeadingHistogram& histogram, const HeadingOptions& options);
+[[nodiscard]] double HeadingOfHistogram(const HeadingHistogram& histogram,
+                                        const HeadingOptions& options);
 
 }  // namespace enfilade

@@ -31,8 +31,10 @@ struct HeightOptions {
     v("min_room_m", min_room_m, "Lowest ceiling above the floor, metres.", {1.0, 10.0});
     v("max_room_m", max_room_m, "Highest ceiling above the floor, metres.", {1.5, 20.0});
     v("step_m", step_m, "Step of the coarse search for heights, metres.", {0.005, 0.5});
-    v("max_baseboard_m", max_baseboard_m, "Tallest baseboard, metres; 0 looks for none.", {0.0, 0.5});
-    v("home_weight", home_weight, "Weight of the home's ceilings in the choice of a room's.", {0.0, 10.0});
+    v("max_baseboard_m", max_baseboard_m, "Tallest baseboard, metres; 0 looks for none.",
+      {0.0, 0.5});
+    v("home_weight", home_weight, "Weight of the home's ceilings in the choice of a room's.",
+      {0.0, 10.0});
     v("level_contrast", level_contrast,
       "Gain in mean response at which a level ceiling is certain.", {0.001, 1.0});
   }
@@ -40,7 +42,7 @@ struct HeightOptions {
 
 /// What the search for heights needs of one panorama.
 struct HeightView {
-  const LineResponse* response = nullptr;  ///< at few columns: the search is coarse in azimuth
+  const LineResponse* response = nullptr;     ///< at few columns: the search is coarse in azimuth
   const ColumnScores* correlation = nullptr;  ///< weighed; may be empty
   double camera_z = 0;
   bool use_floor = true;
@@ -48,24 +50,26 @@ struct HeightView {
 
 struct FloorEstimate {
   double floor_z = 0;
-  double baseboard_m = 0;   ///< 0 when a single line explains the pictures better
-  double contrast = 0;      ///< score at the optimum above the median candidate, mean response
+  double baseboard_m = 0;  ///< 0 when a single line explains the pictures better
+  double contrast = 0;     ///< score at the optimum above the median candidate, mean response
 };
 
-/// The floor of one storey, common to its panoramas: the height at which floor lines and correlation
-/// agree best, summed over the best wall paths of all of them. `prior_camera_m` 0 means unknown.
+/// The floor of one storey, common to its panoramas: the height at which floor lines and
+/// correlation agree best, summed over the best wall paths of all of them. `prior_camera_m` 0 means
+/// unknown.
 [[nodiscard]] FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_camera_m,
-                                          const DistanceBins& bins, const PlaneViterbiOptions& viterbi,
+                                          const DistanceBins& bins,
+                                          const PlaneViterbiOptions& viterbi,
                                           const HeightOptions& options, RunContext& context);
 
 struct CeilingEstimate {
   double ceiling_z = 0;
-  double weight = 1;   ///< 0–1: how clearly the ceiling is one level plane
+  double weight = 1;  ///< 0–1: how clearly the ceiling is one level plane
 };
 
-/// The ceiling over each panorama. Score curves over the height are pooled with those of the panoramas
-/// in the same room (`same_room[i]` lists them) and of the whole home: one panorama alone errs by
-/// up to half a metre in a closet.
+/// The ceiling over each panorama. Score curves over the height are pooled with those of the
+/// panoramas in the same room (`same_room[i]` lists them) and of the whole home: one panorama alone
+/// errs by up to half a metre in a closet.
 [[nodiscard]] std::vector<CeilingEstimate> EstimateCeilings(
     std::span<const HeightView> views, const FloorEstimate& floor,
     const std::vector<std::vector<int>>& same_room, const DistanceBins& bins,

@@ -18,7 +18,7 @@ namespace enfilade {
 struct LevelPanorama {
   Eigen::Vector3d position{0, 0, 0};  ///< of the camera, in the frame
   ImageU8 rgb;                        ///< rows × 2·rows × 3
-  ImageU8 is_seen;                    ///< rows × 2·rows: 0 outside the picture, its mask or the stand
+  ImageU8 is_seen;  ///< rows × 2·rows: 0 outside the picture, its mask or the stand
 
   [[nodiscard]] int rows() const { return rgb.rows(); }
   [[nodiscard]] int cols() const { return rgb.cols(); }

@@ -26,11 +26,12 @@ struct LineResponseOptions {
 
   void Visit(OptionVisitor& v) {
     v("half_length_px", half_length_px,
-      "Half the length along a projected line over which the gradient is averaged, pixels.", {0, 10});
+      "Half the length along a projected line over which the gradient is averaged, pixels.",
+      {0, 10});
     v("noise_floor", noise_floor, "Gradient that halves the response on a quiet wall, grey levels.",
       {0.0, 50.0});
-    v("noise_factor", noise_factor, "Weight of the local mean of the gradients in the normalisation.",
-      {0.0, 10.0});
+    v("noise_factor", noise_factor,
+      "Weight of the local mean of the gradients in the normalisation.", {0.0, 10.0});
   }
 };
 
@@ -44,8 +45,8 @@ struct LineResponse {
 /// pixel is averaged along that line, which makes white-on-white edges visible, then normalised by
 /// the local noise, g²/(g² + n²) with n = floor + factor·local mean of g.
 ///
-/// `num_columns` must divide the panorama's width. `families` names the families to compute; the others'
-/// pictures stay empty.
+/// `num_columns` must divide the panorama's width. `families` names the families to compute; the
+/// others' pictures stay empty.
 [[nodiscard]] LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
                                                std::span<const int> families,
                                                const LineResponseOptions& options);

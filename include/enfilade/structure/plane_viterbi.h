@@ -19,11 +19,13 @@ struct PlaneViterbiOptions {
 
   void Visit(OptionVisitor& v) {
     v("corner_cost_deg", corner_cost_deg,
-      "Cost of a corner where two walls meet, in degrees of azimuth at full response.", {0.0, 360.0});
-    v("jump_cost_deg", jump_cost_deg, "Cost of a jump in depth, where a wall hides what is behind it.",
+      "Cost of a corner where two walls meet, in degrees of azimuth at full response.",
       {0.0, 360.0});
+    v("jump_cost_deg", jump_cost_deg,
+      "Cost of a jump in depth, where a wall hides what is behind it.", {0.0, 360.0});
     v("diagonal_cost", diagonal_cost, "Response that a wall at 45 degrees must gain.", {0.0, 10.0});
-    v("frontal_cost", frontal_cost, "Response that a wall of free direction must gain.", {0.0, 10.0});
+    v("frontal_cost", frontal_cost, "Response that a wall of free direction must gain.",
+      {0.0, 10.0});
     v("frontal_step_cost", frontal_step_cost,
       "Cost, in degrees, of each step of one bin of a wall of free direction.", {0.0, 10.0});
     v("temperature_deg", temperature_deg,
@@ -34,9 +36,9 @@ struct PlaneViterbiOptions {
 
 /// The best walls all round a panorama.
 struct WallPath {
-  std::vector<int> family;        ///< of the plane in each column
-  std::vector<double> wall_m;     ///< distance in each column
-  double score = 0;               ///< total, in degrees at full response
+  std::vector<int> family;     ///< of the plane in each column
+  std::vector<double> wall_m;  ///< distance in each column
+  double score = 0;            ///< total, in degrees at full response
   /// num_columns × bins.count: log-likelihood of the wall lying in a bin, up to a constant per row:
   /// the best path through it, less the best path (max-marginal), divided by the temperature.
   ImageF log_likelihood;
@@ -44,15 +46,15 @@ struct WallPath {
 
 /// Explains the columns by planes: a circular Viterbi over states (family, offset of the plane).
 ///
-/// A vertical wall of a known direction at offset d has distance d/|cos(azimuth − normal)|, so along a
-/// wall the state is constant and its score is read from scores.family at a moving bin. Changing to
-/// a plane of another family at the same distance costs a corner, any other change a jump. The
-/// frontal family follows free forms at a cost per column and step. After Flint, Mei, Murray & Reid
-/// (ECCV 2010), in polar form.
+/// A vertical wall of a known direction at offset d has distance d/|cos(azimuth − normal)|, so
+/// along a wall the state is constant and its score is read from scores.family at a moving bin.
+/// Changing to a plane of another family at the same distance costs a corner, any other change a
+/// jump. The frontal family follows free forms at a cost per column and step. After Flint, Mei,
+/// Murray & Reid (ECCV 2010), in polar form.
 ///
-/// The circle is closed exactly for the state of the most certain column; max-marginals come from two
-/// laps in each direction. Cost O(num_columns × families² × bins). The score of `with_likelihood` false
-/// leaves log_likelihood empty and saves the backward laps.
+/// The circle is closed exactly for the state of the most certain column; max-marginals come from
+/// two laps in each direction. Cost O(num_columns × families² × bins). The score of
+/// `with_likelihood` false leaves log_likelihood empty and saves the backward laps.
 [[nodiscard]] WallPath FindWallPath(const ColumnScores& scores, const DistanceBins& bins,
                                     const PlaneViterbiOptions& options, bool with_likelihood);
 
