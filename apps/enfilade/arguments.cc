@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/enfilade/command.h"
 #include "enfilade/base/json.h"
 
 namespace enfilade {
@@ -59,6 +60,12 @@ Session::Session(const CommonArguments& arguments)
   const Console console = MakeConsole(arguments.is_log_json ? LogFormat::kJson : LogFormat::kText);
   context_.set_log(console.log);
   context_.set_progress_sink(console.progress);
+}
+
+int ExitCodeOf(const StageResult& result, Log& log) {
+  if (result.outcome != StageOutcome::kNoResult) return kExitOk;
+  log.Error("no result: " + result.reason);
+  return kExitNoResult;
 }
 
 }  // namespace enfilade

@@ -14,6 +14,7 @@
 #include "enfilade/base/options.h"
 #include "enfilade/base/run_context.h"
 #include "enfilade/pipeline/options.h"
+#include "enfilade/pipeline/stage.h"
 
 namespace enfilade {
 
@@ -58,5 +59,8 @@ class Session {
   RunContext context_;
   StopOnSignal stop_;
 };
+
+/// Tells the user why there is no result, if there is none.
+[[nodiscard]] int ExitCodeOf(const StageResult& result, Log& log);
 
 }  // namespace enfilade

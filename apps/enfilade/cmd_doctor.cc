@@ -15,7 +15,11 @@
 #include <vector>
 
 #include "apps/enfilade/command.h"
+#include "enfilade/base/errors.h"
+#include "enfilade/exchange/scene_reader.h"
+#include "enfilade/image/codec.h"
 #include "enfilade/pipeline/memory.h"
+#include "enfilade/pipeline/memory_need.h"
 
 namespace enfilade {
 namespace {
@@ -25,6 +29,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   std::string input;
   std::string output = "out";
+  SceneReadOptions reading;
 };
 
 enum class Verdict { kGood, kNote, kBad };
@@ -39,12 +44,10 @@ Finding CheckProcessors() {
   return {Verdict::kGood, "processors", fmt::format("{}", std::thread::hardware_concurrency())};
 }
 
-Finding CheckMemory() {
-  constexpr double kEnough_mb = 3000;
+Finding CheckMemory(double need_mb) {
   const double available_mb = AvailableMemoryMb();
-  return {available_mb < kEnough_mb ? Verdict::kNote : Verdict::kGood, "memory",
-          fmt::format("{:.0f} MB available; a home of 32 panoramas needs up to {:.0f} MB",
-                      available_mb, kEnough_mb)};
+  return {available_mb < need_mb ? Verdict::kBad : Verdict::kGood, "memory",
+          fmt::format("{:.0f} MB available, at least {:.0f} MB needed", available_mb, need_mb)};
 }
 
 // Room at the nearest folder that exists at or above `path`.
@@ -74,18 +77,56 @@ Finding CheckHelper(const std::string& name, const std::string& purpose) {
   return {Verdict::kNote, name, "not found; " + purpose};
 }
 
+std::string DescribeScene(const SceneReadReport& read) {
+  const Scene& scene = read.scene;
+  const Camera& camera = scene.views.front().camera;
+  return fmt::format("{} of {} with poses from {}, scale from {}, the first {} x {} pixels",
+                     scene.views.size(), read.num_pictures_found, PrintablePath(read.pose_file),
+                     EnumNames(scene.scale_source)[static_cast<size_t>(scene.scale_source)],
+                     camera.width, camera.height);
+}
+
+// Reads headers, poses and hashes and decodes every picture once. Sets `need_mb` for what it finds.
+std::vector<Finding> CheckPictures(const Arguments& arguments, double& need_mb) {
+  std::vector<Finding> findings;
+  RunContext context;
+  try {
+    const SceneReadReport read = ReadScene(arguments.input, arguments.reading, context);
+    findings.push_back({Verdict::kGood, "pictures", DescribeScene(read)});
+    for (const std::string& warning : read.warnings) {
+      findings.push_back({Verdict::kNote, "pictures", warning});
+    }
+    need_mb = LeastMemoryMb(read.scene, context.num_threads());
+    for (const View& view : read.scene.views) (void)ReadImageRgb(view.path);
+  } catch (const UserError& error) {
+    findings.push_back({Verdict::kBad, "pictures", error.what()});
+  }
+  return findings;
+}
+
+std::vector<Finding> Examine(const Arguments& arguments) {
+  double need_mb = 0;
+  std::vector<Finding> findings;
+  if (!arguments.input.empty()) findings = CheckPictures(arguments, need_mb);
+  findings.push_back(CheckProcessors());
+  findings.push_back(CheckMemory(need_mb));
+  findings.push_back(CheckDisk(arguments.output));
+  findings.push_back(CheckHelper("colmap", "needed only for pictures without poses"));
+  return findings;
+}
+
 }  // namespace
 
 Action SetupDoctor(CLI::App& parser) {
   const auto arguments = std::make_shared<Arguments>();
+  parser.add_option("PATH", arguments->input, "Folder with the panoramas and their poses");
   parser.add_option("-o,--output", arguments->output, "Folder that the result is to go to")
       ->type_name("OUT");
+  parser.add_option("--poses", arguments->reading.poses, "Pose file or COLMAP folder")
+      ->type_name("FILE");
   return [arguments] {
-    const std::vector<Finding> findings = {
-        CheckProcessors(), CheckMemory(), CheckDisk(arguments->output),
-        CheckHelper("colmap", "needed only for pictures without poses")};
     bool is_good = true;
-    for (const Finding& finding : findings) {
+    for (const Finding& finding : Examine(*arguments)) {
       static constexpr const char* kVerdicts[] = {"ok", "note", "BAD"};
       std::printf("%-5s %-12s %s\n", kVerdicts[static_cast<size_t>(finding.verdict)],
                   finding.subject.c_str(), finding.text.c_str());

@@ -30,6 +30,15 @@ struct Command {
 /// All commands, the stages in flow order.
 [[nodiscard]] std::span<const Command> Commands();
 
+Action SetupRun(CLI::App& parser);
+Action SetupSfm(CLI::App& parser);
+Action SetupStructure(CLI::App& parser);
+Action SetupEvidence(CLI::App& parser);
+Action SetupFloorplan(CLI::App& parser);
+Action SetupModel(CLI::App& parser);
+Action SetupExport(CLI::App& parser);
+Action SetupEvaluate(CLI::App& parser);
+Action SetupSynth(CLI::App& parser);
 Action SetupConfig(CLI::App& parser);
 Action SetupDoctor(CLI::App& parser);
 Action SetupVersion(CLI::App& parser);
