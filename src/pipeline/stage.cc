@@ -160,9 +160,11 @@ StageResult RunStages(const Workspace& workspace, std::span<const Stage> stages,
   return result;
 }
 
+std::string Version() { return ENFILADE_VERSION; }
+
 std::string ProgramVersion() {
   static const std::string kProgram =
-      std::string(ENFILADE_VERSION) + "+" + Sha256OfFile("/proc/self/exe").substr(0, 12);
+      Version() + "+" + Sha256OfFile("/proc/self/exe").substr(0, 12);
   return kProgram;
 }
 

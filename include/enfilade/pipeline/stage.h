@@ -58,6 +58,9 @@ enum class Rerun { kWhenNeeded, kAlways };
                                     const std::vector<std::filesystem::path>& later_paths,
                                     Rerun rerun, Manifest& manifest, RunContext& context);
 
+/// Version of this library: "0.1.0".
+[[nodiscard]] std::string Version();
+
 /// Version and hash of the running program: files that another build wrote are made anew.
 [[nodiscard]] std::string ProgramVersion();
 
