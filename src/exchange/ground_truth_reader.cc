@@ -14,6 +14,9 @@ GroundTruth ReadGroundTruth(const std::filesystem::path& folder, double camera_h
     std::error_code ignored;
     return std::filesystem::exists(folder / name, ignored);
   };
+  for (const char* name : {"truth/floorplan.json", "floorplan.json"}) {
+    if (has(name)) return ReadFloorplanTruth(folder / name);
+  }
   if (has("zind_data.json")) return ReadZindTruth(folder / "zind_data.json", camera_height_m);
   if (has("layout.obj")) return ReadObjTruth(folder / "layout.obj");
   throw InvalidInputError(folder.native(), "holds no truth",

@@ -53,6 +53,13 @@ Eigen::Vector2d Vector2FromJson(const Json& value, const std::string& where,
   return {NumberFromJson(value[0], where, what), NumberFromJson(value[1], where, what)};
 }
 
+Eigen::Vector3d Vector3FromJson(const Json& value, const std::string& where,
+                                const std::string& what) {
+  if (!value.is_array() || value.size() != 3) ThrowShape(where, what, "three numbers");
+  return {NumberFromJson(value[0], where, what), NumberFromJson(value[1], where, what),
+          NumberFromJson(value[2], where, what)};
+}
+
 Ring2 RingFromJson(const Json& value, const std::string& where, const std::string& what) {
   if (!value.is_array()) ThrowShape(where, what, "a list of points");
   Ring2 ring;

@@ -13,6 +13,7 @@ namespace enfilade {
 
 using TruthSegment = std::array<Eigen::Vector2d, 2>;
 
+[[nodiscard]] GroundTruth ReadFloorplanTruth(const std::filesystem::path& path);
 [[nodiscard]] GroundTruth ReadZindTruth(const std::filesystem::path& path, double camera_height_m);
 [[nodiscard]] GroundTruth ReadObjTruth(const std::filesystem::path& path);
 
