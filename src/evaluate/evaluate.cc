@@ -12,6 +12,7 @@
 #include "enfilade/evaluate/regions.h"
 #include "enfilade/evaluate/report.h"
 #include "enfilade/evaluate/rooms.h"
+#include "enfilade/evaluate/structured3d.h"
 #include "enfilade/evaluate/walls.h"
 
 namespace enfilade {
@@ -73,6 +74,12 @@ void AddRooms(const RoomFigures& rooms, MetricReport& figures) {
   figures["ceiling_median_m"] = rooms.ceiling_median_m;
 }
 
+void AddStructured3d(const Structured3dFigures& structured3d, MetricReport& figures) {
+  figures["room_f1"] = structured3d.room_f1;
+  figures["corner_f1"] = structured3d.corner_f1;
+  figures["angle_f1"] = structured3d.angle_f1;
+}
+
 void AddDoors(const DoorFigures& doors, MetricReport& figures) {
   figures["door_precision"] = doors.precision;
   figures["door_recall"] = doors.recall;
@@ -86,6 +93,7 @@ void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricRe
   if (Area(NetRegion(truth_plan)) > 0) {
     AddRegions(EvaluateRegions(result_plan, truth_plan), figures);
     AddRooms(EvaluateRooms(result_plan, truth_plan), figures);
+    AddStructured3d(EvaluateStructured3d(result_plan, truth_plan), figures);
   }
   AddWalls(EvaluateWalls(result_plan, truth_plan), figures);
   AddDoors(EvaluateDoors(result_plan, truth_plan), figures);
