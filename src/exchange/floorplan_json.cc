@@ -187,8 +187,8 @@ Wall WallOf(const Json& json, const std::set<int64_t>& room_ids, const std::stri
   return wall;
 }
 
-Opening OpeningOf(const Json& json, const std::set<int64_t>& room_ids, const std::set<int64_t>& wall_ids,
-                  const std::string& where) {
+Opening OpeningOf(const Json& json, const std::set<int64_t>& room_ids,
+                  const std::set<int64_t>& wall_ids, const std::string& where) {
   Opening opening;
   opening.id = IntegerOf(json, "id", where);
   opening.kind =

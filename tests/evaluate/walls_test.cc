@@ -64,17 +64,22 @@ TEST(EvaluateWalls, AMergedRoomLosesItsWallsOneWayOnly) {
   EXPECT_NEAR(*figures.within_10cm, 1 - 6 / length, 2e-3);
 }
 
-TEST(EvaluateWalls, APlanTurnedByOneDegree) {
-  std::vector<Ring2> rooms = SmallHomeRooms();
-  const Eigen::Rotation2Dd turn(DegToRad(1));
-  std::vector<double> moved;
-  for (Ring2& room : rooms) {
-    for (Vector2d& p : room) p = turn * p;
-  }
-  const WallFigures figures = Judge(rooms);
-  // A wall at distance d from the origin, seen along it at s: moved by s · sin 1°.
-  EXPECT_NEAR(*figures.plan_to_truth_median_m, 0.05, 0.02);
-  EXPECT_NEAR(*figures.plan_to_truth_p95_m, 8.1 * std::sin(DegToRad(1)), 0.03);
+TEST(EvaluateWalls, APlanTurnedByOneDegreeAboutItsCorner) {
+  // One room of 8 × 8 m, turned about the origin by 1°: a point s metres along either wall through
+  // the origin is s · sin 1° off. The other two walls lie 8 m from the origin; along them the
+  // offset runs from 8 · (1 − cos 1°) to 8 · sin 1°, so that every wall sweeps 0 … 14 cm evenly.
+  const Ring2 square = ParseRing("0,0 8,0 8,8 0,8");
+  Ring2 turned = square;
+  for (Vector2d& p : turned) p = Eigen::Rotation2Dd(DegToRad(1)) * p;
+  JudgedPlan plan, truth;
+  plan.walls = OutlineOf({{turned, {}}});
+  truth.walls = OutlineOf({{square, {}}});
+  const WallFigures figures = EvaluateWalls(plan, truth);
+  const double farthest_m = 8 * std::sin(DegToRad(1));
+  EXPECT_NEAR(*figures.plan_to_truth_median_m, 0.5 * farthest_m, 0.002);
+  EXPECT_NEAR(*figures.plan_to_truth_p95_m, 0.95 * farthest_m, 0.002);
+  EXPECT_NEAR(*figures.truth_to_plan_median_m, 0.5 * farthest_m, 0.002);
+  EXPECT_NEAR(*figures.within_10cm, 0.10 / farthest_m, 0.01);
 }
 
 TEST(EvaluateWalls, ASideWithoutWallsGivesNone) {
