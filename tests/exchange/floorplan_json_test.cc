@@ -142,7 +142,7 @@ TEST_F(FloorplanJsonTest, RefusesBrokenFiles) {
   EXPECT_THAT(Refusal(), HasSubstr("is empty"));
   WriteFloorplanJson(file, TwoRooms(), Json::object());
   const std::string whole = ReadFile(file);
-  for (size_t size = 0; size < whole.size() - 2; size += 13) {
+  for (size_t size = 0; size < whole.size() - 2; size += 113) {
     WriteFileAtomic(file, whole.substr(0, size));
     EXPECT_THAT(Refusal(), HasSubstr("is no valid JSON")) << size;
   }

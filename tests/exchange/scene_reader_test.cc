@@ -4,94 +4,229 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <functional>
-#include <nlohmann/json.hpp>
-
-#include "enfilade/base/errors.h"
-#include "enfilade/base/file.h"
-#include "enfilade/base/json.h"
-#include "enfilade/image/codec.h"
-#include "tests/support/temp_folder.h"
+#include "tests/exchange/posed_folder.h"
 
 namespace enfilade {
 namespace {
 
 using Json = nlohmann::json;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 namespace fs = std::filesystem;
-
-// A small picture that differs by its seed.
-void WritePicture(const fs::path& path, int seed, int width = 16, int height = 8) {
-  ImageU8 image(height, width, 3, static_cast<uint8_t>(seed));
-  WriteImage(path.parent_path() / (path.stem().native() + ".png"), image);
-  if (path.extension() != ".png") {
-    fs::rename(path.parent_path() / (path.stem().native() + ".png"), path);
-  }
-}
-
-SceneReadReport Read(const fs::path& folder, const SceneReadOptions& options = {}) {
-  RunContext context(2);
-  return ReadScene(folder, options, context);
-}
-
-// The message of the refusal, "" when there is none.
-std::string Refusal(const fs::path& folder, const SceneReadOptions& options = {}) {
-  try {
-    (void)Read(folder, options);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-Json IdentityFrame(const std::string& name, double x = 0, double z = 0) {
-  return {{"file_path", name},
-          {"transform_matrix", {{1, 0, 0, x}, {0, 0, -1, 0}, {0, 1, 0, z}, {0, 0, 0, 1}}}};
-}
-
-Json Transforms(const std::vector<Json>& frames) {
-  return {{"camera_model", "EQUIRECTANGULAR"}, {"frames", frames}};
-}
 
 // Two panoramas 2 m apart.
 class SceneReaderTest : public testing::Test {
  protected:
   void SetUp() override {
-    WritePicture(folder / "images" / "a.png", 10);
-    WritePicture(folder / "images" / "b.png", 20);
-    WriteTransforms(Transforms({IdentityFrame("images/a.png"), IdentityFrame("images/b.png", 2)}));
+    WriteTestPicture(folder / "images" / "a.png", 10);
+    WriteTestPicture(folder / "images" / "b.png", 20);
+    WriteFrames({UprightFrame("images/a.png"), UprightFrame("images/b.png", 2)});
   }
-  void WriteTransforms(const Json& json) { WriteJsonFile(folder / "transforms.json", json); }
+  void WriteFrames(const std::vector<Json>& frames) {
+    WriteJsonFile(folder / "transforms.json", EquirectangularTransforms(frames));
+  }
 
   TempFolder temp;
   fs::path folder = temp.path();
 };
 
-TEST_F(SceneReaderTest, ReadsTransforms) {
-  const SceneReadReport report = Read(folder);
-  EXPECT_THAT(report.warnings, testing::IsEmpty());
+TEST_F(SceneReaderTest, ReadsPosedPictures) {
+  const SceneReadReport report = ReadTestScene(folder);
+  EXPECT_THAT(report.warnings, IsEmpty());
   ASSERT_EQ(report.scene.views.size(), 2U);
   EXPECT_EQ(report.num_pictures_found, 2);
   EXPECT_EQ(report.pose_file, folder / "transforms.json");
-  const View& view = report.scene.views[report.scene.views[0].picture == "a.png" ? 1 : 0];
-  EXPECT_EQ(view.picture, "b.png");
+  EXPECT_EQ(report.scene.pose_source, PoseSource::kTransforms);
+  EXPECT_EQ(report.scene.scale_source, ScaleSource::kPoses);
+  EXPECT_EQ(report.scene.camera_height_m, std::nullopt);
+  const View& view = ViewOf(report.scene, "b.png");
+  EXPECT_EQ(view.path, folder / "images" / "b.png");
+  EXPECT_EQ(view.camera.model, CameraModel::kEquirectangular);
   EXPECT_EQ(view.camera.width, 16);
   EXPECT_EQ(view.camera.height, 8);
   EXPECT_EQ(view.world_from_cam.translation, Eigen::Vector3d(2, 0, 0));
-  // Identity in OpenGL axes turned upright: the camera looks along +y, its right is +x.
-  Eigen::Matrix3d expected;
-  expected << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  EXPECT_TRUE(view.world_from_cam.rotation.isApprox(expected, 1e-12));
+  EXPECT_TRUE(view.world_from_cam.rotation.isApprox(UprightRotation(), 1e-12));
+}
+
+TEST_F(SceneReaderTest, ViewsComeInTheOrderOfTheirHashes) {
+  const Scene scene = ReadTestScene(folder).scene;
+  EXPECT_LT(scene.views[0].sha256, scene.views[1].sha256);
+}
+
+TEST_F(SceneReaderTest, FindsPicturesWhereverTheyLie) {
+  WriteTestPicture(folder / "far" / "c.png", 30);
+  WriteTestPicture(folder / "panos" / "d.JPG", 40);
+  WriteTestPicture(folder / "e.jpeg", 50);
+  WriteFrames({UprightFrame("./images/a.png"), UprightFrame("elsewhere/b.png"),
+               UprightFrame("far/c.png"), UprightFrame("d.JPG"), UprightFrame("gone/e.jpeg")});
+  const SceneReadReport report = ReadTestScene(folder);
+  EXPECT_EQ(report.scene.views.size(), 5U);
+  EXPECT_EQ(report.num_pictures_found, 5);
+  EXPECT_EQ(ViewOf(report.scene, "c.png").path, folder / "far" / "c.png");
+}
+
+TEST_F(SceneReaderTest, LeavesOutPicturesWithoutPose) {
+  for (int i = 0; i < 5; ++i) {
+    WriteTestPicture(folder / "images" / ("x" + std::to_string(i) + ".png"), 100 + i);
+  }
+  const SceneReadReport report = ReadTestScene(folder);
+  EXPECT_EQ(report.scene.views.size(), 2U);
+  EXPECT_EQ(report.num_unposed, 5);
+  EXPECT_EQ(report.num_pictures_found, 7);
+  EXPECT_THAT(report.warnings, ElementsAre(AllOf(HasSubstr("5 pictures have no pose"),
+                                                 HasSubstr("x0.png, x1.png, x2.png and 2 more"))));
+}
+
+TEST_F(SceneReaderTest, KeepsOneOfPicturesThatAreTheSame) {
+  WriteTestPicture(folder / "images" / "c.png", 10);
+  WriteFrames({UprightFrame("images/a.png"), UprightFrame("images/b.png", 2),
+               UprightFrame("images/c.png", 1)});
+  const SceneReadReport report = ReadTestScene(folder);
+  EXPECT_EQ(report.scene.views.size(), 2U);
+  EXPECT_EQ(report.num_duplicates, 1);
+  EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("c.png is the same picture as a.png, though "
+                                                     "posed 1.00 m away")));
+}
+
+TEST_F(SceneReaderTest, NamesThePicturesThatArePosedButAbsent) {
+  WriteFrames({UprightFrame("images/a.png"), UprightFrame("p.png"), UprightFrame("q.png"),
+               UprightFrame("r.png"), UprightFrame("s.png")});
+  EXPECT_THAT(SceneRefusal(folder), AllOf(HasSubstr("transforms.json: 4 of 5 pictures"),
+                                          HasSubstr("p.png, q.png, r.png and 1 more")));
+}
+
+TEST_F(SceneReaderTest, RefusesTwoPosesForOnePicture) {
+  WriteFrames({UprightFrame("images/a.png"), UprightFrame("images/a.png", 1)});
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("names 'images/a.png' twice"));
+  WriteFrames({UprightFrame("images/a.png"), UprightFrame("a.png", 1)});
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("are the same picture"));
+}
+
+TEST_F(SceneReaderTest, RefusesAPanoramaThatIsNotTwiceAsWideAsHigh) {
+  WriteTestPicture(folder / "images" / "b.png", 20, 16, 9);
+  EXPECT_THAT(SceneRefusal(folder), AllOf(HasSubstr("b.png"), HasSubstr("16 x 9 pixels")));
+}
+
+TEST_F(SceneReaderTest, RefusesPicturesThatAreNone) {
+  const fs::path picture = folder / "images" / "b.png";
+  const std::string whole = ReadFile(picture);
+  for (const std::string& bytes : {std::string(), std::string("text"), whole.substr(0, 12)}) {
+    WriteFileAtomic(picture, bytes);
+    EXPECT_THAT(SceneRefusal(folder), HasSubstr("b.png")) << bytes.size();
+  }
+}
+
+TEST_F(SceneReaderTest, RefusesANameThatIsNoUtf8) {
+  WriteTestPicture(folder / "images" / "caf\xE9.png", 30);
+  WriteFileAtomic(folder / "poses.csv", "file,x,y,z,qw,qx,qy,qz\ncaf\xE9.png,0,0,0,1,0,0,0\n");
+  SceneReadOptions options;
+  options.poses = folder / "poses.csv";
+  EXPECT_THAT(SceneRefusal(folder, options), AllOf(HasSubstr("caf\\xe9.png"), HasSubstr("UTF-8")));
 }
 
 TEST_F(SceneReaderTest, RefusesWhatIsNoFolderOfPosedPictures) {
-  EXPECT_THAT(Refusal(folder / "absent"), HasSubstr("cannot be listed"));
-  EXPECT_THAT(Refusal(folder / "images"), HasSubstr("has no poses"));
+  EXPECT_THAT(SceneRefusal(folder / "absent"), HasSubstr("cannot be listed"));
+  EXPECT_THAT(SceneRefusal(folder / "images"), HasSubstr("has no poses"));
+  WriteFrames({});
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("has no poses"));
   SceneReadOptions options;
   options.poses = "none";
-  EXPECT_THAT(Refusal(folder, options), HasSubstr("from the pictures alone are not supported"));
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("from the pictures alone"));
+}
+
+TEST_F(SceneReaderTest, TakesTheFirstPoseSourceUnlessToldOtherwise) {
+  WriteFileAtomic(folder / "poses.csv", "file,x,y,z,qw,qx,qy,qz\na.png,7,0,0,1,0,0,0\n");
+  EXPECT_EQ(ReadTestScene(folder).scene.pose_source, PoseSource::kTransforms);
+  SceneReadOptions options;
+  options.poses = folder / "poses.csv";
+  const SceneReadReport report = ReadTestScene(folder, options);
+  EXPECT_EQ(report.scene.pose_source, PoseSource::kCsv);
+  EXPECT_EQ(report.num_unposed, 1);
+}
+
+TEST_F(SceneReaderTest, RefusesAPoseFileOfNoKnownKind) {
+  SceneReadOptions options;
+  options.poses = folder / "poses.xyz";
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("does not exist"));
+  WriteFileAtomic(folder / "poses.xyz", "1 2 3");
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("no known pose file"));
+  options.poses = folder / "images";
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("holds no COLMAP model"));
+  options.poses = folder / "other.json";
+  for (const char* text : {"{}", "[]", "3"}) {
+    WriteFileAtomic(folder / "other.json", text);
+    EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("no known pose file")) << text;
+  }
+}
+
+TEST_F(SceneReaderTest, RefusesPositionsInAnotherUnit) {
+  WriteFrames({UprightFrame("images/a.png"), UprightFrame("images/b.png", 20000)});
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("more than 10 km"));
+}
+
+TEST_F(SceneReaderTest, TellsStoreysApartByGapsBetweenCameraHeights) {
+  WriteTestPicture(folder / "images" / "c.png", 30);
+  WriteFrames({UprightFrame("images/a.png", 0, 0, 4.3), UprightFrame("images/b.png", 2, 0, 0.8),
+               UprightFrame("images/c.png", 4, 0, 1.9)});
+  const Scene scene = ReadTestScene(folder).scene;
+  EXPECT_EQ(ViewOf(scene, "a.png").storey_idx, 1);
+  EXPECT_EQ(ViewOf(scene, "b.png").storey_idx, 0);
+  EXPECT_EQ(ViewOf(scene, "c.png").storey_idx, 0);
+}
+
+TEST_F(SceneReaderTest, TurnsAWorldWithAnotherAxisUp) {
+  // The same cameras in a world whose y points up: (x, y, z) is (x, z, −y) of ours.
+  Json frame_a = UprightFrame("images/a.png"), frame_b = UprightFrame("images/b.png");
+  frame_a["transform_matrix"] = {{1, 0, 0, 0}, {0, 1, 0, 1.5}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  frame_b["transform_matrix"] = {{1, 0, 0, 2}, {0, 1, 0, 1.5}, {0, 0, 1, -3}, {0, 0, 0, 1}};
+  WriteFrames({frame_a, frame_b});
+  const SceneReadReport report = ReadTestScene(folder);
+  EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("the world is turned")));
+  const View& view = ViewOf(report.scene, "b.png");
+  EXPECT_TRUE(view.world_from_cam.translation.isApprox(Eigen::Vector3d(2, 3, 1.5), 1e-12));
+  EXPECT_TRUE(view.world_from_cam.rotation.isApprox(UprightRotation(), 1e-12));
+}
+
+TEST_F(SceneReaderTest, AGivenCameraHeightIsAPriorWherePosesHaveAScale) {
+  SceneReadOptions options;
+  options.camera_height_m = 1.7;
+  const Scene scene = ReadTestScene(folder, options).scene;
+  EXPECT_EQ(scene.camera_height_m, 1.7);
+  EXPECT_EQ(scene.scale_source, ScaleSource::kPoses);
+  EXPECT_EQ(ViewOf(scene, "b.png").world_from_cam.translation.x(), 2);
+}
+
+TEST_F(SceneReaderTest, AttachesMasks) {
+  WriteTestPicture(folder / "masks" / "a.png", 0);
+  SceneReadOptions options;
+  options.mask = folder / "masks";
+  Scene scene = ReadTestScene(folder, options).scene;
+  EXPECT_EQ(ViewOf(scene, "a.png").mask_path, folder / "masks" / "a.png");
+  EXPECT_TRUE(ViewOf(scene, "b.png").mask_path.empty());
+  options.mask = folder / "masks" / "a.png";
+  scene = ReadTestScene(folder, options).scene;
+  EXPECT_EQ(ViewOf(scene, "b.png").mask_path, folder / "masks" / "a.png");
+  WriteTestPicture(folder / "masks" / "a.png", 0, 8, 4);
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("8 x 4 pixels"));
+  options.mask = folder / "images" / "..";
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("no mask with the name of a picture"));
+}
+
+TEST_F(SceneReaderTest, RefusesFilesThatMayNotBeRead) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  fs::permissions(folder / "images" / "b.png", fs::perms::none);
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("check the permissions"));
+}
+
+TEST_F(SceneReaderTest, OptionsHaveTheirNamesInTheVisit) {
+  SceneReadOptions options;
+  std::vector<std::string> names;
+  for (const OptionInfo& info : ListOptions(VisitorOf(options))) names.push_back(info.path);
+  EXPECT_THAT(names, ElementsAre("poses", "camera_height_m", "mask"));
 }
 
 }  // namespace
