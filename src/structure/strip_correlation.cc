@@ -26,45 +26,42 @@ constexpr double kVisibilitySlack_m = 0.15;
 
 int AzimuthIndex(const Vector2d& v) {
   const double turn = std::atan2(v.y(), v.x()) / (2 * kPi) + 0.5;
-  return std::clamp(static_cast<int>(turn * StripTable::kNumAzimuths), 0,
-                    StripTable::kNumAzimuths - 1);
+  return std::clamp(static_cast<int>(turn * StripTable::kNumAzimuths), 0, StripTable::kNumAzimuths - 1);
 }
 
 // The upright lines of a strip on its wall plane.
 struct Strip {
-  std::array<Vector2d, kNumLines> foot;          // in the frame
-  std::array<const uint8_t*, kNumLines> line{};  // grey levels in its own panorama
+  std::array<Vector2d, kNumLines> foot;            // in the frame
+  std::array<const uint8_t*, kNumLines> line{};    // grey levels in its own panorama
   bool is_valid = true;
 };
 
+// Sums over the lines of a strip, one for each height. Correlating what varies along the wall at one
+// height leaves out the change from floor to wall to ceiling, which any hypothesis would share.
 struct Moments {
-  int64_t sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
+  std::array<int32_t, kHeights> sum_a{}, sum_b{}, sum_aa{}, sum_bb{}, sum_ab{};
 
   void Add(const uint8_t* a, const uint8_t* b) {
-    int sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
-    for (int i = 0; i < kHeights; ++i) {
-      const int x = a[i], y = b[i];
-      sa += x;
-      sb += y;
-      saa += x * x;
-      sbb += y * y;
-      sab += x * y;
+    for (size_t i = 0; i < kHeights; ++i) {
+      const int32_t x = a[i], y = b[i];
+      sum_a[i] += x;
+      sum_b[i] += y;
+      sum_aa[i] += x * x;
+      sum_bb[i] += y * y;
+      sum_ab[i] += x * y;
     }
-    sum_a += sa;
-    sum_b += sb;
-    sum_aa += saa;
-    sum_bb += sbb;
-    sum_ab += sab;
   }
 
   [[nodiscard]] double Correlation(double noise_variance) const {
-    constexpr double kCount = kNumLines * kHeights;
-    const double mean_a = static_cast<double>(sum_a) / kCount,
-                 mean_b = static_cast<double>(sum_b) / kCount;
-    const double var_a = static_cast<double>(sum_aa) / kCount - mean_a * mean_a;
-    const double var_b = static_cast<double>(sum_bb) / kCount - mean_b * mean_b;
-    const double covariance = static_cast<double>(sum_ab) / kCount - mean_a * mean_b;
-    return covariance / std::sqrt((var_a + noise_variance) * (var_b + noise_variance) + 1e-12);
+    int64_t aa = 0, bb = 0, ab = 0;
+    for (size_t i = 0; i < kHeights; ++i) {
+      aa += kNumLines * sum_aa[i] - sum_a[i] * sum_a[i];
+      bb += kNumLines * sum_bb[i] - sum_b[i] * sum_b[i];
+      ab += kNumLines * sum_ab[i] - sum_a[i] * sum_b[i];
+    }
+    const double noise = noise_variance * kHeights * kNumLines * kNumLines;
+    return static_cast<double>(ab) /
+           std::sqrt((static_cast<double>(aa) + noise) * (static_cast<double>(bb) + noise) + 1e-12);
   }
 };
 
@@ -73,12 +70,8 @@ class Correlator {
   Correlator(std::span<const StripTable> tables, int self, std::span<const int> others,
              std::span<const KnownDistances> known, const DistanceBins& bins,
              const StripCorrelationOptions& options)
-      : tables_(tables),
-        self_(tables[static_cast<size_t>(self)]),
-        others_(others),
-        known_(known),
-        bins_(bins),
-        options_(options) {}
+      : tables_(tables), self_(tables[static_cast<size_t>(self)]), others_(others), known_(known),
+        bins_(bins), options_(options) {}
 
   [[nodiscard]] float Score(double azimuth, int family, int bin) const {
     const double direction = WallDirection(family, azimuth);
@@ -106,8 +99,7 @@ class Correlator {
     for (int i = -kHalfLines; i <= kHalfLines; ++i) {
       const double a = azimuth + DegToRad(options_.half_width_deg) * i / kHalfLines;
       const double line_incidence = std::sin(a - direction);
-      if (std::abs(line_incidence) < kMinIncidenceSin || line_incidence * incidence < 0)
-        return {{}, {}, false};
+      if (std::abs(line_incidence) < kMinIncidenceSin || line_incidence * incidence < 0) return {{}, {}, false};
       const double r = distance * incidence / line_incidence;
       const Vector2d ray = r * Vector2d(std::cos(a), std::sin(a));
       const double r_bin = bins_.Bin(r) + 0.5;
@@ -119,8 +111,8 @@ class Correlator {
     return strip;
   }
 
-  [[nodiscard]] bool WouldSee(const StripTable& table, const KnownDistances& known,
-                              const Strip& strip, const Vector2d& normal) const {
+  [[nodiscard]] bool WouldSee(const StripTable& table, const KnownDistances& known, const Strip& strip,
+                              const Vector2d& normal) const {
     const Vector2d& center = strip.foot[kHalfLines];
     const Vector2d ray = center - table.position();
     const double range = ray.norm();
@@ -130,20 +122,17 @@ class Correlator {
     if (side * own_side <= 0 || std::abs(side) < kMinIncidenceSin * range) return false;
     if (known.empty()) return true;
     const double turn = std::atan2(ray.y(), ray.x()) / (2 * kPi) + 0.5;
-    const int column = std::clamp(static_cast<int>(turn * static_cast<double>(known.size())), 0,
-                                  static_cast<int>(known.size()) - 1);
+    const int column = std::clamp(static_cast<int>(turn * static_cast<double>(known.size())), 0, static_cast<int>(known.size()) - 1);
     return range <= kVisibilitySlack * known[static_cast<size_t>(column)] + kVisibilitySlack_m;
   }
 
-  [[nodiscard]] bool Compare(const Strip& strip, const StripTable& table,
-                             double* correlation) const {
+  [[nodiscard]] bool Compare(const Strip& strip, const StripTable& table, double* correlation) const {
     Moments moments;
     for (int i = 0; i < kNumLines; ++i) {
       const Vector2d ray = strip.foot[static_cast<size_t>(i)] - table.position();
       const double bin = bins_.Bin(ray.norm()) + 0.5;
       if (bin < 0 || bin >= bins_.count) return false;
-      moments.Add(strip.line[static_cast<size_t>(i)],
-                  table.line(AzimuthIndex(ray), static_cast<int>(bin)));
+      moments.Add(strip.line[static_cast<size_t>(i)], table.line(AzimuthIndex(ray), static_cast<int>(bin)));
     }
     *correlation = moments.Correlation(options_.noise * options_.noise);
     return true;
@@ -177,19 +166,15 @@ ImageF GreyAt(const LevelPanorama& panorama, int cols) {
 
 }  // namespace
 
-StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double top_z,
-                       const DistanceBins& bins)
-    : position_(panorama.position.head<2>()),
-      num_bins_(bins.count),
+StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double top_z, const DistanceBins& bins)
+    : position_(panorama.position.head<2>()), num_bins_(bins.count),
       grey_(static_cast<size_t>(kNumAzimuths) * static_cast<size_t>(bins.count) * kNumHeights) {
   const ImageF grey = GreyAt(panorama, kNumAzimuths);
   std::vector<double> rows(static_cast<size_t>(bins.count) * kNumHeights);
   for (int b = 0; b < bins.count; ++b) {
     for (int i = 0; i < kNumHeights; ++i) {
-      const double z =
-          bottom_z + (top_z - bottom_z) * i / (kNumHeights - 1) - panorama.position.z();
-      rows[static_cast<size_t>(b * kNumHeights + i)] =
-          grey.rows() * (0.5 - std::atan(z / bins.Distance(b)) / kPi);
+      const double z = bottom_z + (top_z - bottom_z) * i / (kNumHeights - 1) - panorama.position.z();
+      rows[static_cast<size_t>(b * kNumHeights + i)] = grey.rows() * (0.5 - std::atan(z / bins.Distance(b)) / kPi);
     }
   }
   for (int a = 0; a < kNumAzimuths; ++a) {
@@ -201,18 +186,17 @@ StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double to
   }
 }
 
-ColumnScores CorrelateStrips(std::span<const StripTable> tables, int self,
-                             std::span<const int> others, std::span<const KnownDistances> known,
-                             int num_columns, int column_step, std::span<const int> families,
-                             const DistanceBins& bins, const StripCorrelationOptions& options) {
+ColumnScores CorrelateStrips(std::span<const StripTable> tables, int self, std::span<const int> others,
+                             std::span<const KnownDistances> known, int num_columns, int column_step,
+                             std::span<const int> families, const DistanceBins& bins,
+                             const StripCorrelationOptions& options) {
   ENFILADE_CHECK(known.size() == tables.size() && column_step >= 1);
   const Correlator correlator(tables, self, others, known, bins, options);
   ColumnScores scores;
   for (const int family : families) {
     ImageF score(num_columns, bins.count);
     for (int c = 0; c < num_columns; c += column_step) {
-      const double azimuth =
-          AzimuthOfColumn(c, num_columns) + (column_step - 1) * kPi / num_columns;
+      const double azimuth = AzimuthOfColumn(c, num_columns) + (column_step - 1) * kPi / num_columns;
       for (int b = 0; b < bins.count; ++b) score(c, b) = correlator.Score(azimuth, family, b);
       for (int i = c + 1; i < std::min(c + column_step, num_columns); ++i) {
         std::copy_n(score.row(c), bins.count, score.row(i));
