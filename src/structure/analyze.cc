@@ -26,7 +26,8 @@ constexpr int kHeadingWidth = 1024;
 // The search for heights looks at every so many columns.
 constexpr int kHeightColumnStep = 4;
 // Correlation is computed at every so many columns.
-constexpr int kCorrelationColumnStep = 2;
+constexpr int kCorrelationColumnStep = 4;
+constexpr std::array kCorrelatedFamilies = {0, 1, kFrontalFamily};
 // Panoramas nearer than the wall between them share a room.
 constexpr double kSameRoomSlack = 0.95;
 
@@ -181,10 +182,12 @@ class StoreySolver {
     for (size_t i = 0; i < works_.size(); ++i) known[i] = works_[i].path.wall_m;
     ParallelFor(context_, "correlation", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       const ColumnScores raw = CorrelateStrips(
-          tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)), known,
-          options_.num_columns, kCorrelationColumnStep, families_, bins_, options_.correlation);
+          tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)), known, options_.num_columns,
+          kCorrelationColumnStep, kCorrelatedFamilies, bins_, options_.correlation);
       ColumnScores weighed;
       AddScores(raw, options_.correlation_weight, weighed);
+      // A strip is narrow: at 45 degrees it looks much as it does frontally.
+      weighed.family[2] = weighed.family[3] = weighed.family[kFrontalFamily];
       works_[static_cast<size_t>(i)].correlation = std::move(weighed);
     });
   }
@@ -297,6 +300,14 @@ class StoreySolver {
     return ScoreFloor(work.response, work.position.z() - floor_.floor_z, floor_.baseboard_m, bins_);
   }
 
+  void DropUnusedFamilies(ColumnScores& scores) const {
+    for (int f = 0; f < kNumFamilies; ++f) {
+      if (std::find(families_.begin(), families_.end(), f) == families_.end()) {
+        scores.family[static_cast<size_t>(f)] = ImageF();
+      }
+    }
+  }
+
   void FindPaths(bool with_ceiling, bool with_likelihood) {
     ParallelFor(context_, "wall profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
@@ -312,6 +323,7 @@ class StoreySolver {
         AddScores(ScoreLine(work.response, work.position.z() - work.ceiling.ceiling_z, bins_),
                   options_.ceiling_weight * work.ceiling.weight, scores);
       }
+      DropUnusedFamilies(scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, with_likelihood);
     });
   }

@@ -18,6 +18,8 @@ using Eigen::Vector2d;
 constexpr int kHeights = StripTable::kNumHeights;
 constexpr int kHalfLines = 3;
 constexpr int kNumLines = 2 * kHalfLines + 1;
+// The correlation changes slowly with distance: it is computed at every so many bins.
+constexpr int kBinStep = 2;
 // Walls seen at a smaller angle than this by either camera are not compared.
 constexpr double kMinIncidenceSin = 0.15;
 // A panorama sees a point that lies no farther than its wall in that direction, with this slack.
@@ -146,6 +148,16 @@ class Correlator {
   const StripCorrelationOptions& options_;
 };
 
+// Linear interpolation between every kBinStep-th value.
+void FillBetween(float* values, int count) {
+  for (int b = 0; b < count; ++b) {
+    const int before = b / kBinStep * kBinStep, after = before + kBinStep;
+    if (b == before) continue;
+    const float a = static_cast<float>(b - before) / kBinStep;
+    values[b] = after < count ? (1 - a) * values[before] + a * values[after] : values[before];
+  }
+}
+
 ImageF GreyAt(const LevelPanorama& panorama, int cols) {
   const int factor = std::max(1, panorama.cols() / cols);
   ImageF grey(panorama.rows() / factor, panorama.cols() / factor);
@@ -197,7 +209,8 @@ ColumnScores CorrelateStrips(std::span<const StripTable> tables, int self, std::
     ImageF score(num_columns, bins.count);
     for (int c = 0; c < num_columns; c += column_step) {
       const double azimuth = AzimuthOfColumn(c, num_columns) + (column_step - 1) * kPi / num_columns;
-      for (int b = 0; b < bins.count; ++b) score(c, b) = correlator.Score(azimuth, family, b);
+      for (int b = 0; b < bins.count; b += kBinStep) score(c, b) = correlator.Score(azimuth, family, b);
+      FillBetween(score.row(c), bins.count);
       for (int i = c + 1; i < std::min(c + column_step, num_columns); ++i) {
         std::copy_n(score.row(c), bins.count, score.row(i));
       }

@@ -30,7 +30,7 @@ struct StructureOptions {
   bool use_diagonals = true;
   bool use_frontal = true;
   double floor_weight = 1.0;
-  double ceiling_weight = 1.0;
+  double ceiling_weight = 0.6;
   double correlation_weight = 1.5;
   HeadingOptions heading;
   LineResponseOptions line;

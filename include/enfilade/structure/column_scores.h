@@ -46,7 +46,7 @@ struct ColumnScores {
 struct ObstacleOptions {
   double min_gap_m = 0.25;
   double max_gap_m = 0.70;
-  double cost = 0.15;
+  double cost = 0.6;
 
   void Visit(OptionVisitor& v) {
     v("min_gap_m", min_gap_m,

@@ -10,8 +10,8 @@
 namespace enfilade {
 
 struct PlaneViterbiOptions {
-  double corner_cost_deg = 3.0;
-  double jump_cost_deg = 5.0;
+  double corner_cost_deg = 4.5;
+  double jump_cost_deg = 10.0;
   double diagonal_cost = 0.04;
   double frontal_cost = 0.20;
   double frontal_step_cost = 0.1;
