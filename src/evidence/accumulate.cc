@@ -4,121 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
 #include "grid_extent.h"
 #include "point_evidence.h"
-#include "polar_view.h"
-#include "sensor_model.h"
+#include "view_evidence.h"
 
 namespace enfilade {
 namespace {
-
-constexpr int kRowsPerTask = 8;
-
-struct Inputs {
-  const AccumulateOptions& options;
-  const std::vector<PolarView>& views;
-  const std::vector<double>& weights;  // of the views
-  float far_m;                         // nothing is said beyond
-};
-
-// Free space that a view is sure of, from where.
-class SupportCollector {
- public:
-  explicit SupportCollector(double min_angle_rad)
-      : max_cosine_(static_cast<float>(std::cos(min_angle_rad))) {}
-  void AddNear() { bits_ |= kSupportNear; }
-  void AddDirection(const Eigen::Vector2f& unit) {
-    if ((bits_ & kSupportTwoDirections) != 0) return;
-    for (const Eigen::Vector2f& other : directions_) {
-      if (unit.dot(other) <= max_cosine_) bits_ |= kSupportTwoDirections;
-    }
-    directions_.push_back(unit);
-  }
-  uint8_t TakeBits() {
-    directions_.clear();
-    return std::exchange(bits_, uint8_t{0});
-  }
-
- private:
-  float max_cosine_;
-  uint8_t bits_ = 0;
-  std::vector<Eigen::Vector2f> directions_;
-};
-
-// The view's reading of one cell, added to the cell's sums.
-void AddViewToCell(const Inputs& in, const SensorModel& model, size_t view_idx,
-                   const Eigen::Vector2f& offset, float& wall, float& free,
-                   SupportCollector& support) {
-  const AccumulateOptions& options = in.options;
-  const float r = offset.norm();
-  const auto cell = static_cast<float>(options.cell_m);
-  if (r > in.far_m) return;
-  if (r < 0.5f * cell) {  // the camera's own cell has no direction
-    free += model.Quantised(options.max_view_log_odds * in.weights[view_idx]);
-    wall -= model.Quantised(options.max_view_log_odds * in.weights[view_idx]);
-    support.AddNear();
-    return;
-  }
-  const Eigen::Vector2f unit = offset / r;
-  const float half_width = 0.5f * cell * (std::abs(unit.x()) + std::abs(unit.y()));
-  const auto reading =
-      in.views[view_idx].Read(offset, r, half_width, static_cast<float>(options.blocked_depth_m));
-  if (!reading) return;
-  const CellLogOdds log_odds = model.Evaluate(*reading, r, half_width, in.weights[view_idx]);
-  free += log_odds.free;
-  wall += log_odds.wall;
-  if (1 - reading->cdf_far < options.min_support_probability) return;
-  if (r <= std::min(static_cast<float>(options.near_m), reading->obstacle_m)) support.AddNear();
-  support.AddDirection(unit);
-}
-
-// One row at a time: every cell asks every view.
-void FillRow(const Inputs& in, const SensorModel& model, int row, EvidenceGrids& grids) {
-  SupportCollector support(DegToRad(in.options.min_angle_deg));
-  for (int col = 0; col < grids.frame.cols; ++col) {
-    const Eigen::Vector2d center = grids.frame.Center(row, col);
-    float wall = 0, free = 0;
-    for (size_t v = 0; v < in.views.size(); ++v) {
-      const Eigen::Vector2f offset = (center - in.views[v].origin()).cast<float>();
-      AddViewToCell(in, model, v, offset, wall, free, support);
-    }
-    grids.wall(row, col) = wall;
-    grids.free(row, col) = free;
-    grids.support(row, col) = support.TakeBits();
-  }
-}
-
-void AccumulateViews(const Inputs& in, EvidenceGrids& grids, RunContext& context) {
-  const SensorModel model(in.options);
-  const int num_tasks = (grids.frame.rows + kRowsPerTask - 1) / kRowsPerTask;
-  ParallelFor(context, "evidence", num_tasks, [&](int64_t task) {
-    const int begin = static_cast<int>(task) * kRowsPerTask;
-    const int end = std::min(begin + kRowsPerTask, grids.frame.rows);
-    for (int row = begin; row < end; ++row) FillRow(in, model, row, grids);
-  });
-}
-
-// Views closer than same_place_m err together (same pose error, same furniture in the way), so they
-// share a vote. Quantised terms make the sums exact in any order.
-std::vector<double> WeightsByPlace(const std::vector<PolarView>& views, double same_place_m) {
-  std::vector<double> weights;
-  for (const PolarView& a : views) {
-    double crowd = 0;
-    for (const PolarView& b : views) {
-      const double distance = (a.origin() - b.origin()).norm();
-      const double closeness = &a == &b           ? 1
-                               : same_place_m > 0 ? std::max(0.0, 1 - distance / same_place_m)
-                                                  : 0;
-      crowd += std::round(closeness * 4096) / 4096;
-    }
-    weights.push_back(1 / crowd);
-  }
-  return weights;
-}
 
 // The rays of one view to neighbouring points are no independent evidence: counts enter by
 // logarithm.
@@ -187,6 +81,8 @@ void AccumulateOptions::Visit(OptionVisitor& v) {
     {1, 90});
   v("min_support_probability", min_support_probability,
     "Probability of being free that makes a view a witness.", {0.5, 1});
+  v("consistency_rounds", consistency_rounds,
+    "How often columns lose trust where other views say they ran through a wall.", {0, 10});
   v("point_weight", point_weight, "Weight of scene points beside columns.", {0, 10});
 }
 
@@ -203,16 +99,20 @@ EvidenceReport AccumulateEvidence(const WallSampleSet& samples, const EvidencePo
   const DistanceBins bins(
       samples.bin_m,
       {options.position_sigma_m, DegToRad(options.angle_sigma_deg), options.camera_height_m});
-  const std::vector<PolarView> views = MakePolarViews(samples, bins, context);
-  report.num_views = static_cast<int>(views.size());
+  ViewEvidence evidence{options, MakePolarViews(samples, bins, context), {}, 0};
+  evidence.weights = WeightsByPlace(evidence.views, options.same_place_m);
+  evidence.far_m = std::min(static_cast<float>(options.max_range_m), bins.far_m());
+  report.num_views = static_cast<int>(evidence.views.size());
   std::vector<EvidenceCamera> cameras;
-  for (const PolarView& view : views) cameras.push_back({view.view_idx(), view.origin()});
+  for (const PolarView& view : evidence.views) cameras.push_back({view.view_idx(), view.origin()});
 
   report.grids = EmptyGrids(FrameOfEvidence(samples, cameras, options, context), options.mode);
   report.grids.cameras = std::move(cameras);
-  const std::vector<double> weights = WeightsByPlace(views, options.same_place_m);
-  const float far_m = std::min(static_cast<float>(options.max_range_m), bins.far_m());
-  AccumulateViews({options, views, weights, far_m}, report.grids, context);
+  AccumulateViews(evidence, report.grids, context);
+  for (int round = 0; round < options.consistency_rounds; ++round) {
+    DistrustContradictedColumns(report.grids, evidence, context);
+    AccumulateViews(evidence, report.grids, context);
+  }
 
   const double ray_margin_m = std::max(2 * options.cell_m, 0.05);
   const PointCounts counts =

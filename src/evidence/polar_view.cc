@@ -12,7 +12,8 @@
 namespace enfilade {
 namespace {
 
-constexpr double kTableStep = 0.01;  // metres, of the bin lookup
+constexpr double kTableStep = 0.01;   // metres, of the bin lookup
+constexpr float kNegligible = 1e-3f;  // probability that changes log-odds by 0.01 at most
 constexpr int kAzimuthStepsPerColumn = 4;
 // Neighbouring columns belong to one surface when it would be seen at more than this grazing angle.
 constexpr float kMinGrazingTangent = 0.07f;  // 4°
@@ -86,12 +87,12 @@ void DistanceBins::BlurredCdf(const std::vector<float>& probability, float* cdf)
   for (int i = 0; i <= size(); ++i) cdf[i] /= total;
 }
 
-float DistanceBins::Evaluate(const float* cdf, float r_m) const {
-  if (r_m <= edge_m_.front()) return 0;
-  if (r_m >= edge_m_.back()) return 1;
+float DistanceBins::Evaluate(const float* at_edges, float r_m) const {
+  if (r_m <= edge_m_.front()) return at_edges[0];
+  if (r_m >= edge_m_.back()) return at_edges[size()];
   const int bin = BinAt(r_m);
   const float t = (r_m - edge_m(bin)) / (edge_m(bin + 1) - edge_m(bin));
-  return cdf[bin] + t * (cdf[bin + 1] - cdf[bin]);
+  return at_edges[bin] + t * (at_edges[bin + 1] - at_edges[bin]);
 }
 
 PolarView::PolarView(const DistanceBins& bins, std::vector<const WallSample*> columns)
@@ -120,6 +121,10 @@ PolarView::PolarView(const DistanceBins& bins, std::vector<const WallSample*> co
     const auto wall_m = static_cast<float>(sample.wall_m);
     column.mode_m = std::abs(wall_m - mode_m) <= width ? wall_m : mode_m;
     column.obstacle_m = static_cast<float>(sample.obstacle_m);
+    const auto* first = std::upper_bound(cdf, cdf + stride, kNegligible) - 1;
+    const auto* last = std::lower_bound(cdf, cdf + stride - 1, 1 - kNegligible);
+    column.clear_m = bins.edge_m(static_cast<int>(first - cdf));
+    column.end_m = bins.edge_m(static_cast<int>(last - cdf));
     columns_.push_back(column);
   }
   const size_t num_steps = columns_.size() * kAzimuthStepsPerColumn;
@@ -130,18 +135,23 @@ PolarView::PolarView(const DistanceBins& bins, std::vector<const WallSample*> co
   }
 }
 
+Eigen::Vector2d PolarView::Direction(int column) const {
+  const double azimuth = columns_[column].azimuth_rad;
+  return {std::cos(azimuth), std::sin(azimuth)};
+}
+
 bool PolarView::FindNeighbours(float azimuth_rad, Neighbours& n) const {
   constexpr auto kTwoPi = static_cast<float>(2 * kPi);
   const int count = static_cast<int>(columns_.size());
-  const auto num_steps = static_cast<float>(first_at_step_.size());
-  const float position = (azimuth_rad + static_cast<float>(kPi)) / kTwoPi * num_steps;
+  const float steps_per_rad = static_cast<float>(first_at_step_.size()) / kTwoPi;
+  const float position = (azimuth_rad + static_cast<float>(kPi)) * steps_per_rad;
   const auto step =
       std::min(static_cast<size_t>(std::max(position, 0.0f)), first_at_step_.size() - 1);
   int after = first_at_step_[step];
   // The table may be one column late through rounding of the azimuth.
   while (after > 0 && columns_[after - 1].azimuth_rad >= azimuth_rad) --after;
   while (after < count && columns_[after].azimuth_rad < azimuth_rad) ++after;
-  const int b = after % count, a = (after + count - 1) % count;
+  const int b = after < count ? after : 0, a = after > 0 ? after - 1 : count - 1;
   const Column& left = columns_[a];
   const Column& right = columns_[b];
   float to_left = azimuth_rad - left.azimuth_rad, to_right = right.azimuth_rad - azimuth_rad;
@@ -154,10 +164,11 @@ bool PolarView::FindNeighbours(float azimuth_rad, Neighbours& n) const {
   if (is_adjacent) {
     const float near = std::min(left.mode_m, right.mode_m),
                 far = std::max(left.mode_m, right.mode_m);
-    if (far - near <= near * gap / kMinGrazingTangent) {
+    if ((far - near) * kMinGrazingTangent <= near * gap) {
       const float t = gap > 0 ? to_left / gap : 0;
-      const float surface_m = 1 / ((1 - t) / left.mode_m + t / right.mode_m);
-      n = {{a, b}, {1 - t, t}, {left.mode_m / surface_m, right.mode_m / surface_m}};
+      // The surface's 1/r between the columns, relative to that of each.
+      const float ratio = left.mode_m / right.mode_m;
+      n = {{a, b}, {1 - t, t}, {(1 - t) + t * ratio, (1 - t) / ratio + t}};
       return true;
     }
   }
@@ -172,16 +183,30 @@ std::optional<PolarReading> PolarView::Read(const Eigen::Vector2f& offset, float
                                             float half_width_m, float blocked_depth_m) const {
   Neighbours n;
   if (!FindNeighbours(std::atan2(offset.y(), offset.x()), n)) return std::nullopt;
+  const float blocked_m = r_m - blocked_depth_m, near_m = r_m - half_width_m,
+              far_m = r_m + half_width_m;
+  bool is_behind = true, is_before = true;
+  for (int k = 0; k < 2; ++k) {
+    is_behind =
+        is_behind && std::min(blocked_m, near_m) * n.stretch[k] >= columns_[n.column[k]].end_m;
+    is_before = is_before && far_m * n.stretch[k] <= columns_[n.column[k]].clear_m;
+  }
+  if (is_behind) return std::nullopt;
   PolarReading reading;
   reading.obstacle_m = std::min(columns_[n.column[0]].obstacle_m, columns_[n.column[1]].obstacle_m);
+  if (!trust_.empty()) {
+    reading.trust = n.weight[0] * bins_->Evaluate(RowOf(trust_, n.column[0]), r_m) +
+                    n.weight[1] * bins_->Evaluate(RowOf(trust_, n.column[1]), r_m);
+  }
+  if (is_before) return reading;
   for (int k = 0; k < 2; ++k) {
     if (n.weight[k] == 0) continue;
     const float w = n.weight[k];
-    const float* cdf = Cdf(n.column[k]);
-    reading.cdf_near += w * bins_->Evaluate(cdf, (r_m - half_width_m) * n.stretch[k]);
+    const float* cdf = RowOf(cdf_, n.column[k]);
+    reading.cdf_near += w * bins_->Evaluate(cdf, near_m * n.stretch[k]);
     reading.cdf += w * bins_->Evaluate(cdf, r_m * n.stretch[k]);
-    reading.cdf_far += w * bins_->Evaluate(cdf, (r_m + half_width_m) * n.stretch[k]);
-    reading.cdf_blocked += w * bins_->Evaluate(cdf, (r_m - blocked_depth_m) * n.stretch[k]);
+    reading.cdf_far += w * bins_->Evaluate(cdf, far_m * n.stretch[k]);
+    reading.cdf_blocked += w * bins_->Evaluate(cdf, blocked_m * n.stretch[k]);
   }
   return reading;
 }

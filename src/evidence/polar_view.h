@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "enfilade/base/run_context.h"
@@ -33,8 +34,8 @@ class DistanceBins {
 
   /// P(wall nearer than edge i) for i = 0 … size(), of the blurred and normalised distribution.
   void BlurredCdf(const std::vector<float>& probability, float* cdf) const;
-  /// Linear interpolation of such a table.
-  [[nodiscard]] float Evaluate(const float* cdf, float r_m) const;
+  /// Linear interpolation of a table of values at the edges, constant beyond the first and last.
+  [[nodiscard]] float Evaluate(const float* at_edges, float r_m) const;
 
  private:
   [[nodiscard]] int BinAt(float r_m) const;
@@ -56,6 +57,7 @@ struct PolarReading {
   float cdf_far = 0;      ///< P(wall nearer than r + half_width)
   float cdf_blocked = 0;  ///< P(wall nearer than r − blocked_depth)
   float obstacle_m = 0;   ///< first obstacle in this direction
+  float trust = 1;        ///< 0–1: how far the column is believed at r
 };
 
 /// All columns of one view, for lookups by direction and distance.
@@ -66,8 +68,14 @@ class PolarView {
 
   [[nodiscard]] const Eigen::Vector2d& origin() const { return origin_; }
   [[nodiscard]] int view_idx() const { return view_idx_; }
+  [[nodiscard]] const DistanceBins& bins() const { return *bins_; }
+  [[nodiscard]] int num_columns() const { return static_cast<int>(columns_.size()); }
+  [[nodiscard]] Eigen::Vector2d Direction(int column) const;
+  /// columns × (bins + 1) values at the edges of the bins, columns by ascending azimuth.
+  void set_trust(std::vector<float> trust) { trust_ = std::move(trust); }
 
-  /// None where no column covers the direction of `offset` = cell centre − origin().
+  /// None where no column covers the direction of `offset` = cell centre − origin(), or where the
+  /// wall surely lies before r − blocked_depth, so that nothing is known.
   ///
   /// Between two columns that see the same surface the distributions are stretched so that 1/r is
   /// linear in azimuth, which is exact on straight walls; else the nearer column answers alone.
@@ -80,6 +88,8 @@ class PolarView {
     float half_spread_rad;
     float mode_m;  // most likely distance
     float obstacle_m;
+    float clear_m;  // no mass nearer than this
+    float end_m;    // no mass farther than this
   };
   // Up to two columns that answer for a direction.
   struct Neighbours {
@@ -88,8 +98,8 @@ class PolarView {
     float stretch[2];
   };
   [[nodiscard]] bool FindNeighbours(float azimuth_rad, Neighbours& n) const;
-  [[nodiscard]] const float* Cdf(int column) const {
-    return cdf_.data() + static_cast<size_t>(column) * static_cast<size_t>(bins_->size() + 1);
+  [[nodiscard]] const float* RowOf(const std::vector<float>& table, int column) const {
+    return table.data() + static_cast<size_t>(column) * static_cast<size_t>(bins_->size() + 1);
   }
 
   const DistanceBins* bins_;
@@ -97,6 +107,7 @@ class PolarView {
   Eigen::Vector2d origin_;
   std::vector<Column> columns_;     // ascending azimuth
   std::vector<float> cdf_;          // columns × (bins + 1)
+  std::vector<float> trust_;        // the same shape; empty while all is trusted
   std::vector<int> first_at_step_;  // first column at or after the azimuth −π + step·2π/steps
 };
 

@@ -20,7 +20,7 @@ float SensorModel::Quantised(double log_odds) {
 
 CellLogOdds SensorModel::Evaluate(const PolarReading& reading, float r_m, float half_width_m,
                                   double weight) const {
-  const float inlier = inlier_ / (1 + r_m * r_m * inverse_range2_);
+  const float inlier = reading.trust * inlier_ / (1 + r_m * r_m * inverse_range2_);
   const float unknown = 0.5f * (1 - inlier);
   const float p_free = inlier * (1 - reading.cdf + 0.5f * reading.cdf_blocked) + unknown;
   const float density = (reading.cdf_far - reading.cdf_near) / (2 * half_width_m);

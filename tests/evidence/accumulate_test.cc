@@ -78,11 +78,28 @@ TEST(AccumulateEvidence, OneViewDoesNotOverrideTwo) {
     const bool through = v == 0 && hit.x() > 3.99 && std::abs(hit.y() - 2) < 0.5;
     return through ? RayDistance(garden, plan.cameras[v], d) : wall;
   };
+  AccumulateOptions options;
+  options.consistency_rounds = 0;
+  const EvidenceGrids first = Accumulate(SamplesOf(plan), options);
+  EXPECT_LT(At(first, first.free, 4.06, 2), 0);  // blocked, two against one
+  EXPECT_GT(At(first, first.wall, 4.0, 2), 0);
+  EXPECT_GT(At(first, first.free, 6, 2), 1);     // the garden: nobody else says anything,
+  EXPECT_EQ(At(first, first.support, 6, 2), 0);  // but nobody else supports it
   const EvidenceGrids grids = Accumulate(SamplesOf(plan));
-  EXPECT_LT(At(grids, grids.free, 4.06, 2), -0.2);  // blocked, two against one
-  EXPECT_GT(At(grids, grids.wall, 4.0, 2), 0);
-  EXPECT_GT(At(grids, grids.free, 6, 2), 0);     // the garden: nobody else says anything,
-  EXPECT_EQ(At(grids, grids.support, 6, 2), 0);  // but nobody else supports it
+  EXPECT_LT(At(grids, grids.free, 4.06, 2), -0.3);  // the view lost its say behind the wall
+  EXPECT_LT(At(grids, grids.free, 6, 2), 0.5 * At(first, first.free, 6, 2));
+  EXPECT_NEAR(At(grids, grids.free, 3, 2), At(first, first.free, 3, 2), 0.05);
+}
+
+// What one room sees through a door that nobody contradicts stays.
+TEST(AccumulateEvidence, FreeSpaceThroughAnOpenDoorIsKept) {
+  const PlanToSample plan = PlanFromText(kTwoRooms, {{1.5, 2}, {2.5, 1.2}});
+  AccumulateOptions options;
+  options.consistency_rounds = 0;
+  const EvidenceGrids before = Accumulate(SamplesOf(plan), options);
+  const EvidenceGrids after = Accumulate(SamplesOf(plan));
+  EXPECT_GT(At(before, before.free, 5, 1.97), 1);
+  EXPECT_NEAR(At(after, after.free, 5, 1.97), At(before, before.free, 5, 1.97), 0.05);
 }
 
 TEST(AccumulateEvidence, NearViewsCountMore) {

@@ -62,8 +62,9 @@ TEST(PolarView, EqualsBruteForceInColumnCentres) {
     const Eigen::Vector2d offset = set.samples[column(random)].direction * distance(random);
     const auto reading =
         views[0].Read(offset.cast<float>(), static_cast<float>(offset.norm()), 0, 0);
-    ASSERT_TRUE(reading);
-    worst = std::max(worst, std::abs(reading->cdf - slow.Cdf(offset)));
+    // None: the wall surely lies before.
+    const double cdf = reading ? reading->cdf : 1;
+    worst = std::max(worst, std::abs(cdf - slow.Cdf(offset)));
   }
   EXPECT_LT(worst, 0.03);  // bins of 5 cm to 25 cm width against σ of 0.2 m
 }
@@ -85,7 +86,7 @@ TEST(PolarView, StraightWallStaysStraightBetweenColumns) {
       const double x = 0.5 * (low + high);
       const auto reading =
           view.Read(Eigen::Vector2f(x, y), static_cast<float>(std::hypot(x, y)), 0, 0);
-      (reading->cdf < 0.5f ? low : high) = x;
+      (reading && reading->cdf < 0.5f ? low : high) = x;
     }
     EXPECT_NEAR(low, 3, 0.012) << y;
   }

@@ -20,7 +20,7 @@ struct AccumulateOptions {
   double max_megacells = 25;
   double blocked_depth_m = 0.15;
   double outlier_probability = 0.15;
-  double half_trust_range_m = 8;
+  double half_trust_range_m = 6;
   double max_view_log_odds = 2.5;
   double mean_free_path_m = 3;
   double position_sigma_m = 0.02;
@@ -30,6 +30,7 @@ struct AccumulateOptions {
   double near_m = 2.25;
   double min_angle_deg = 25;
   double min_support_probability = 0.8;
+  int consistency_rounds = 1;
   double point_weight = 0.5;
 
   void Visit(OptionVisitor& v);
