@@ -22,28 +22,39 @@ constexpr std::array<std::array<float, 3>, 6> kFabrics = {{{0.22f, 0.25f, 0.30f}
                                                            {0.30f, 0.30f, 0.31f},
                                                            {0.58f, 0.55f, 0.50f}}};
 
+struct Look {
+  Vector3f rgb;
+  Finish finish = Finish::kPlain;
+};
+
+Look operator*(float factor, const Look& look) { return {factor * look.rgb, look.finish}; }
+
 template <size_t N>
-Vector3f Pick(const std::array<std::array<float, 3>, N>& colours, Random& random) {
+Look Pick(const std::array<std::array<float, 3>, N>& colours, Finish finish, Random& random) {
   const auto& c = colours[static_cast<size_t>(random.Index(static_cast<int>(N)))];
-  return Vector3f(c[0], c[1], c[2]) * static_cast<float>(random.Uniform(0.85, 1.1));
+  return {Vector3f(c[0], c[1], c[2]) * static_cast<float>(random.Uniform(0.85, 1.1)), finish};
 }
 
+Look Wood(Random& random) { return Pick(kWoods, Finish::kWood, random); }
+Look Fabric(Random& random) { return Pick(kFabrics, Finish::kFabric, random); }
+
 // The box [x0, x1] × [y0, y1] × [z0, z1] in the frame of the piece.
-void Add(FurniturePiece& piece, Vector2d x, Vector2d y, Vector2d z, const Vector3f& rgb) {
+void Add(FurniturePiece& piece, Vector2d x, Vector2d y, Vector2d z, const Look& look) {
   HomeBox box;
   box.center = {0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])};
   box.size = {x[1] - x[0], y[1] - y[0]};
   box.z0 = z[0];
   box.z1 = z[1];
-  box.rgb = rgb;
+  box.rgb = look.rgb;
+  box.finish = look.finish;
   piece.boxes.push_back(box);
 }
 
-void AddLegs(FurniturePiece& piece, Vector2d x, Vector2d y, double top_m, const Vector3f& rgb) {
+void AddLegs(FurniturePiece& piece, Vector2d x, Vector2d y, double top_m, const Look& look) {
   constexpr double kLeg_m = 0.05;
   for (double left : {x[0], x[1] - kLeg_m}) {
     for (double back : {y[0], y[1] - kLeg_m}) {
-      Add(piece, {left, left + kLeg_m}, {back, back + kLeg_m}, {0, top_m}, rgb);
+      Add(piece, {left, left + kLeg_m}, {back, back + kLeg_m}, {0, top_m}, look);
     }
   }
 }
@@ -51,14 +62,16 @@ void AddLegs(FurniturePiece& piece, Vector2d x, Vector2d y, double top_m, const 
 FurniturePiece Wardrobe(Random& random) {
   const double w = random.Millimetres(1.0, 1.8), d = 0.6, h = random.Millimetres(1.9, 2.15);
   FurniturePiece piece{{w, d}, true, true, {}};
-  const Vector3f rgb = Pick(kWoods, random);
-  Add(piece, {-w / 2, w / 2}, {0, d - 0.02}, {0, h}, rgb);
+  const Look look = Wood(random);
+  Add(piece, {-w / 2, w / 2}, {0, d - 0.02}, {0, h}, look);
   const int num_doors = w > 1.3 ? 3 : 2;
   const double door_m = w / num_doors;
   for (int i = 0; i < num_doors; ++i) {
     const double left = -w / 2 + i * door_m;
-    Add(piece, {left + 0.004, left + door_m - 0.004}, {d - 0.02, d}, {0.06, h - 0.01}, 1.05f * rgb);
-    Add(piece, {left + 0.05, left + 0.065}, {d, d + 0.02}, {0.95, 1.15}, {0.3f, 0.3f, 0.3f});
+    Add(piece, {left + 0.004, left + door_m - 0.004}, {d - 0.02, d}, {0.06, h - 0.01},
+        1.05f * look);
+    Add(piece, {left + 0.05, left + 0.065}, {d, d + 0.02}, {0.95, 1.15},
+        {{0.3f, 0.3f, 0.3f}, Finish::kPlain});
   }
   return piece;
 }
@@ -66,8 +79,8 @@ FurniturePiece Wardrobe(Random& random) {
 FurniturePiece Bed(Random& random) {
   const double w = random.Millimetres(0.95, 1.8), d = 2.05;
   FurniturePiece piece{{w, d}, true, false, {}};
-  const Vector3f wood = Pick(kWoods, random), cover = Pick(kFabrics, random);
-  const Vector3f linen(0.75f, 0.74f, 0.72f);
+  const Look wood = Wood(random), cover = Fabric(random);
+  const Look linen{{0.75f, 0.74f, 0.72f}, Finish::kFabric};
   Add(piece, {-w / 2, w / 2}, {0, 0.05}, {0, random.Millimetres(0.85, 1.1)}, wood);
   Add(piece, {-w / 2, w / 2}, {0.05, d}, {0.08, 0.30}, wood);
   Add(piece, {-w / 2 + 0.03, w / 2 - 0.03}, {0.06, d - 0.03}, {0.30, 0.48}, linen);
@@ -83,12 +96,12 @@ FurniturePiece Bed(Random& random) {
 FurniturePiece Drawers(Random& random) {
   const double w = random.Millimetres(0.45, 1.0), d = 0.42, h = random.Millimetres(0.5, 0.9);
   FurniturePiece piece{{w, d}, true, false, {}};
-  const Vector3f rgb = Pick(kWoods, random);
-  Add(piece, {-w / 2, w / 2}, {0, d - 0.02}, {0.04, h}, rgb);
+  const Look look = Wood(random);
+  Add(piece, {-w / 2, w / 2}, {0, d - 0.02}, {0.04, h}, look);
   for (int i = 0; i < 3; ++i) {
     const double low = 0.06 + i * (h - 0.07) / 3;
     Add(piece, {-w / 2 + 0.01, w / 2 - 0.01}, {d - 0.02, d}, {low, low + (h - 0.07) / 3 - 0.012},
-        1.06f * rgb);
+        1.06f * look);
   }
   return piece;
 }
@@ -96,24 +109,24 @@ FurniturePiece Drawers(Random& random) {
 FurniturePiece Sofa(Random& random) {
   const double w = random.Millimetres(1.6, 2.2), d = 0.9, arm = 0.17;
   FurniturePiece piece{{w, d}, true, false, {}};
-  const Vector3f rgb = Pick(kFabrics, random);
-  Add(piece, {-w / 2, w / 2}, {0, d}, {0.06, 0.26}, rgb);
-  Add(piece, {-w / 2, w / 2}, {0, 0.2}, {0.26, 0.82}, rgb);
-  Add(piece, {-w / 2, -w / 2 + arm}, {0.2, d}, {0.26, 0.60}, rgb);
-  Add(piece, {w / 2 - arm, w / 2}, {0.2, d}, {0.26, 0.60}, rgb);
-  Add(piece, {-w / 2 + arm, -0.005}, {0.2, d + 0.02}, {0.26, 0.43}, 1.08f * rgb);
-  Add(piece, {0.005, w / 2 - arm}, {0.2, d + 0.02}, {0.26, 0.43}, 1.08f * rgb);
-  Add(piece, {-w / 2 + arm + 0.02, -w / 2 + arm + 0.42}, {0.2, 0.32}, {0.43, 0.78},
-      Pick(kFabrics, random));
+  const Look look = Fabric(random);
+  Add(piece, {-w / 2, w / 2}, {0, d}, {0.06, 0.26}, look);
+  Add(piece, {-w / 2, w / 2}, {0, 0.2}, {0.26, 0.82}, look);
+  Add(piece, {-w / 2, -w / 2 + arm}, {0.2, d}, {0.26, 0.60}, look);
+  Add(piece, {w / 2 - arm, w / 2}, {0.2, d}, {0.26, 0.60}, look);
+  Add(piece, {-w / 2 + arm, -0.005}, {0.2, d + 0.02}, {0.26, 0.43}, 1.08f * look);
+  Add(piece, {0.005, w / 2 - arm}, {0.2, d + 0.02}, {0.26, 0.43}, 1.08f * look);
+  Add(piece, {-w / 2 + arm + 0.02, -w / 2 + arm + 0.42}, {0.2, 0.32}, {0.43, 0.78}, Fabric(random));
   return piece;
 }
 
 FurniturePiece Sideboard(Random& random) {
   const double w = random.Millimetres(1.2, 1.7), d = 0.42, h = random.Millimetres(0.45, 0.8);
   FurniturePiece piece{{w, d}, true, false, {}};
-  const Vector3f rgb = Pick(kWoods, random), screen(0.02f, 0.02f, 0.022f);
-  Add(piece, {-w / 2, w / 2}, {0, d}, {0.08, h}, rgb);
-  AddLegs(piece, {-w / 2 + 0.05, w / 2 - 0.05}, {0.03, d - 0.03}, 0.08, 0.6f * rgb);
+  const Look look = Wood(random);
+  const Look screen{{0.02f, 0.02f, 0.022f}, Finish::kPlain};
+  Add(piece, {-w / 2, w / 2}, {0, d}, {0.08, h}, look);
+  AddLegs(piece, {-w / 2 + 0.05, w / 2 - 0.05}, {0.03, d - 0.03}, 0.08, 0.6f * look);
   Add(piece, {-0.12, 0.12}, {0.14, 0.28}, {h, h + 0.06}, screen);
   Add(piece, {-0.55, 0.55}, {0.19, 0.23}, {h + 0.06, h + 0.70}, screen);
   return piece;
@@ -123,20 +136,20 @@ FurniturePiece Bookshelf(Random& random) {
   const double w = random.Millimetres(0.7, 1.0), d = 0.3, h = random.Millimetres(1.6, 2.0),
                board = 0.02;
   FurniturePiece piece{{w, d}, true, true, {}};
-  const Vector3f rgb = Pick(kWoods, random);
-  Add(piece, {-w / 2, w / 2}, {0, 0.01}, {0, h}, 0.9f * rgb);
-  Add(piece, {-w / 2, -w / 2 + board}, {0.01, d}, {0, h}, rgb);
-  Add(piece, {w / 2 - board, w / 2}, {0.01, d}, {0, h}, rgb);
+  const Look look = Wood(random);
+  Add(piece, {-w / 2, w / 2}, {0, 0.01}, {0, h}, 0.9f * look);
+  Add(piece, {-w / 2, -w / 2 + board}, {0.01, d}, {0, h}, look);
+  Add(piece, {w / 2 - board, w / 2}, {0.01, d}, {0, h}, look);
   const int num_shelves = 5;
   for (int i = 0; i <= num_shelves; ++i) {
     const double z = 0.04 + i * (h - 0.04 - board) / num_shelves;
-    Add(piece, {-w / 2 + board, w / 2 - board}, {0.01, d}, {z, z + board}, rgb);
+    Add(piece, {-w / 2 + board, w / 2 - board}, {0.01, d}, {z, z + board}, look);
     if (i == num_shelves) break;
     for (double x = -w / 2 + board + 0.01; x < w / 2 - 0.12; x += 0.01) {
       const double thick = random.Uniform(0.03, 0.09);
       if (random.Chance(0.8)) {
         Add(piece, {x, x + thick}, {0.02, random.Uniform(0.16, 0.24)},
-            {z + board, z + board + random.Uniform(0.17, 0.26)}, Pick(kFabrics, random));
+            {z + board, z + board + random.Uniform(0.17, 0.26)}, Fabric(random));
       }
       x += thick;
     }
@@ -147,9 +160,10 @@ FurniturePiece Bookshelf(Random& random) {
 FurniturePiece KitchenRun(Random& random) {
   const double w = random.Millimetres(1.8, 2.5), d = 0.62;
   FurniturePiece piece{{w, d}, true, true, {}};
-  const Vector3f front = random.Chance(0.6) ? Vector3f(0.70f, 0.70f, 0.68f) : Pick(kWoods, random);
+  const Look front =
+      random.Chance(0.6) ? Look{{0.70f, 0.70f, 0.68f}, Finish::kPlain} : Wood(random);
   const int num_units = static_cast<int>(w / 0.55);
-  Add(piece, {-w / 2, w / 2}, {0, d - 0.08}, {0, 0.1}, {0.08f, 0.08f, 0.08f});
+  Add(piece, {-w / 2, w / 2}, {0, d - 0.08}, {0, 0.1}, {{0.08f, 0.08f, 0.08f}, Finish::kPlain});
   Add(piece, {-w / 2, w / 2}, {0, d - 0.04}, {0.1, 0.87}, 0.5f * front);
   Add(piece, {-w / 2, w / 2}, {0, 0.33}, {1.42, 2.05}, 0.5f * front);
   for (int i = 0; i < num_units; ++i) {
@@ -157,17 +171,17 @@ FurniturePiece KitchenRun(Random& random) {
     Add(piece, {left + 0.003, right - 0.003}, {d - 0.04, d - 0.02}, {0.105, 0.865}, front);
     Add(piece, {left + 0.003, right - 0.003}, {0.33, 0.35}, {1.42, 2.05}, front);
   }
-  Add(piece, {-w / 2, w / 2}, {0, d}, {0.87, 0.91}, Pick(kWoods, random));
+  Add(piece, {-w / 2, w / 2}, {0, d}, {0.87, 0.91}, Wood(random));
   return piece;
 }
 
 FurniturePiece DiningTable(Random& random) {
   const double w = random.Millimetres(1.1, 1.5), d = 0.8, h = 0.74;
   FurniturePiece piece{{w, d + 0.9}, false, false, {}};
-  const Vector3f rgb = Pick(kWoods, random), seat = Pick(kWoods, random);
+  const Look look = Wood(random), seat = Wood(random);
   const double y0 = 0.45, y1 = y0 + d;
-  Add(piece, {-w / 2, w / 2}, {y0, y1}, {h - 0.035, h}, rgb);
-  AddLegs(piece, {-w / 2 + 0.04, w / 2 - 0.04}, {y0 + 0.04, y1 - 0.04}, h - 0.035, rgb);
+  Add(piece, {-w / 2, w / 2}, {y0, y1}, {h - 0.035, h}, look);
+  AddLegs(piece, {-w / 2 + 0.04, w / 2 - 0.04}, {y0 + 0.04, y1 - 0.04}, h - 0.035, look);
   for (double middle : {-w / 4, w / 4}) {
     for (double front : {0.02, y1 + 0.03}) {
       const double back = front < y0 ? front : front + 0.37;

@@ -35,7 +35,7 @@ void AddRooms(Home& home, const RoomLayout& layout, Random& random) {
   }
 }
 
-Vector3f FloorColour(FloorFinish finish, Random& random) {
+Vector3f FloorColour(Finish finish, Random& random) {
   static constexpr std::array<std::array<Vector3f::Scalar, 3>, 9> kColours = {
       {{0.42f, 0.37f, 0.31f},
        {0.33f, 0.33f, 0.33f},
@@ -46,7 +46,8 @@ Vector3f FloorColour(FloorFinish finish, Random& random) {
        {0.55f, 0.53f, 0.50f},
        {0.38f, 0.37f, 0.36f},
        {0.62f, 0.57f, 0.50f}}};  // tiles
-  const auto& c = kColours[static_cast<size_t>(3 * static_cast<int>(finish) + random.Index(3))];
+  const int first = finish == Finish::kCarpet ? 0 : finish == Finish::kPlanks ? 3 : 6;
+  const auto& c = kColours[static_cast<size_t>(first + random.Index(3))];
   return Vector3f(c[0], c[1], c[2]) * static_cast<float>(random.Uniform(0.9, 1.1));
 }
 
@@ -56,14 +57,14 @@ void FitOutRooms(Home& home, Random& random) {
       home.rooms.begin(), home.rooms.end(),
       [](const auto& a, const auto& b) { return Area(a.polygon) < Area(b.polygon); });
   const float grey = static_cast<float>(random.Uniform(0.74, 0.82));
-  const FloorFinish common = random.Chance(0.5) ? FloorFinish::kPlanks : FloorFinish::kCarpet;
+  const Finish common = random.Chance(0.5) ? Finish::kPlanks : Finish::kCarpet;
   for (HomeRoom& room : home.rooms) {
     const bool is_largest = room.id == largest->id;
     room.use = is_largest            ? RoomUse::kLiving
                : random.Chance(0.35) ? RoomUse::kKitchen
                                      : RoomUse::kBedroom;
     if (home.rooms.size() == 1 && random.Chance(0.5)) room.use = RoomUse::kBedroom;
-    room.floor_finish = room.use == RoomUse::kKitchen ? FloorFinish::kTiles : common;
+    room.floor_finish = room.use == RoomUse::kKitchen ? Finish::kTiles : common;
     room.floor_rgb = FloorColour(room.floor_finish, random);
     const float warmth = static_cast<float>(random.Uniform(0.0, 0.05));
     room.wall_rgb = grey * static_cast<float>(random.Uniform(0.96, 1.04)) *

@@ -40,6 +40,43 @@ TEST(FixtureStructure, ProfileOfAClosedRoomIsItsOutline) {
   EXPECT_NEAR(profile.obstacle_m[256], 2, 0.01);  // straight into the box
 }
 
+TEST(FixtureWallSamples, NoiseHasTheAskedSize) {
+  const Home home = TextHome("room 0,0 5,0 5,4 0,4");
+  ProfileNoise noise;
+  noise.num_columns = 4096;
+  const WallSampleSet perfect = FixtureWallSamples(home, noise);
+  noise.sigma_relative = 0.02;
+  noise.unseen_share = 0.25;
+  const WallSampleSet noisy = FixtureWallSamples(home, noise);
+  double squares = 0, num_unseen = 0;
+  for (size_t i = 0; i < perfect.samples.size(); ++i) {
+    squares += std::pow(noisy.samples[i].wall_m / perfect.samples[i].wall_m - 1, 2);
+    num_unseen += noisy.samples[i].wall_probability.empty() ? 1 : 0;
+  }
+  const auto n = static_cast<double>(perfect.samples.size());
+  EXPECT_NEAR(std::sqrt(squares / n), 0.02, 0.001);
+  EXPECT_NEAR(num_unseen / n, 0.25, 0.03);
+  noise.sigma_relative = 0;
+  noise.outlier_share = 0.1;
+  const WallSampleSet outliers = FixtureWallSamples(home, noise);
+  double num_outliers = 0;
+  for (size_t i = 0; i < perfect.samples.size(); ++i) {
+    const double error_m = outliers.samples[i].wall_m - perfect.samples[i].wall_m;
+    num_outliers += std::abs(error_m) > 1e-3 ? 1 : 0;
+  }
+  EXPECT_NEAR(num_outliers / n, 0.1, 0.02);
+}
+
+TEST(FixtureWallSamples, OpenDoorsCanBeMadeWalls) {
+  const Home home =
+      TextHome("room 0,0 4,0 4,3 0,3 | room 4.1,0 8,0 8,3 4.1,3 | door 4,1 4,1.8 | camera 1,1.4");
+  ProfileNoise noise;
+  noise.num_columns = 512;
+  EXPECT_NEAR(FixtureWallSamples(home, noise).samples[256].wall_m, 7, 0.01);
+  noise.are_doors_walls = true;
+  EXPECT_NEAR(FixtureWallSamples(home, noise).samples[256].wall_m, 3, 0.01);
+}
+
 TEST(FixtureScene, PosesAreThoseOfTheHome) {
   TextHomeOptions options;
   options.heading_rad = 0.25;

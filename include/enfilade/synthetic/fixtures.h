@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "enfilade/evidence/types.h"
 #include "enfilade/scene/types.h"
 #include "enfilade/structure/types.h"
 #include "enfilade/synthetic/home.h"
@@ -26,6 +27,9 @@ struct ProfileNoise {
 /// The structure that a perfect (or, with noise, an imperfect) stage would find: directions,
 /// heights and one wall profile per camera, by casting rays through the true plan.
 [[nodiscard]] Structure FixtureStructure(const Home& home, const ProfileNoise& noise = {});
+
+/// The same as wall samples, one per column and camera.
+[[nodiscard]] WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise = {});
 
 /// The views of the home's cameras with their poses and no pictures, in the order of home.cameras.
 [[nodiscard]] Scene FixtureScene(const Home& home, int width = 1024, int height = 512);

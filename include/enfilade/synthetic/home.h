@@ -34,7 +34,8 @@ struct HomeOptions {
   }
 };
 
-enum class FloorFinish { kCarpet, kPlanks, kTiles };
+/// What a surface is made of: its pattern; the colour is given apart.
+enum class Finish { kPaint, kCarpet, kPlanks, kTiles, kWood, kFabric, kPlain };
 enum class RoomUse { kLiving, kBedroom, kKitchen };
 
 /// The region inside the inner faces of a room's walls, from a level floor to a level ceiling.
@@ -44,7 +45,7 @@ struct HomeRoom {
   double floor_z = 0;
   double ceiling_z = 2.5;
   RoomUse use = RoomUse::kLiving;
-  FloorFinish floor_finish = FloorFinish::kCarpet;
+  Finish floor_finish = Finish::kCarpet;
   Eigen::Vector3f wall_rgb{0.80f, 0.79f, 0.76f};  ///< diffuse reflectance, linear
   Eigen::Vector3f floor_rgb{0.35f, 0.30f, 0.25f};
 };
@@ -85,6 +86,7 @@ struct HomeBox {
   Eigen::Vector2d size{1, 1};
   double yaw_rad = 0;
   double z0 = 0, z1 = 1;
+  Finish finish = Finish::kPlain;
   Eigen::Vector3f rgb{0.5f, 0.5f, 0.5f};  ///< diffuse reflectance, linear
 
   [[nodiscard]] Ring2 Footprint() const;

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "enfilade/base/run_context.h"
+#include "enfilade/synthetic/render.h"
+#include "src/synthetic/ray_scene.h"
+#include "src/synthetic/surface.h"
+
+namespace enfilade {
+
+/// Irradiance on a regular grid over a surface's extent.
+struct LightGrid {
+  int cols = 1, rows = 1;
+  Eigen::Vector2f cell{1, 1};               ///< metres
+  std::vector<Eigen::Vector3f> irradiance;  ///< row by row
+
+  [[nodiscard]] Eigen::Vector2f Center(int row, int col) const {
+    return {(static_cast<float>(col) + 0.5f) * cell.x(),
+            (static_cast<float>(row) + 0.5f) * cell.y()};
+  }
+  [[nodiscard]] Eigen::Vector3f& At(int row, int col) {
+    return irradiance[static_cast<size_t>(row) * static_cast<size_t>(cols) +
+                      static_cast<size_t>(col)];
+  }
+  [[nodiscard]] const Eigen::Vector3f& At(int row, int col) const {
+    return const_cast<LightGrid*>(this)->At(row, col);
+  }
+  /// Bilinear, clamped at the border.
+  [[nodiscard]] Eigen::Vector3f Sample(float u, float v) const;
+};
+
+/// A grid over [0, extent] with cells of at most `max_cell_m`, all zero.
+[[nodiscard]] LightGrid MakeLightGrid(const Eigen::Vector2f& extent, float max_cell_m);
+
+/// The light on every surface: straight from lamps and windows on a fine grid, reflected on a
+/// coarse one.
+struct BakedLight {
+  std::vector<LightGrid> direct, reflected;  ///< one a surface
+
+  [[nodiscard]] Eigen::Vector3f IrradianceAt(const RayHit& hit) const {
+    const auto i = static_cast<size_t>(hit.surface_idx);
+    return direct[i].Sample(hit.u, hit.v) + reflected[i].Sample(hit.u, hit.v);
+  }
+};
+
+/// Works out the light: direct by sampling lamps and windows with shadow rays, then
+/// `options.bounces` times the hemisphere above every coarse cell. Deterministic for any number of
+/// threads.
+[[nodiscard]] BakedLight BakeLight(const Home& home, const std::vector<Surface>& surfaces,
+                                   const RayScene& scene, const RenderOptions& options,
+                                   RunContext& context);
+
+}  // namespace enfilade

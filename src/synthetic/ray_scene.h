@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "src/synthetic/surface.h"
+
+namespace enfilade {
+
+struct RayHit {
+  int surface_idx = 0;
+  float distance_m = 0;
+  float u = 0, v = 0;  ///< in the surface's frame
+};
+
+/// Surfaces in a tree for fast ray casting (Embree). Thread-safe once built; the surfaces must
+/// outlive it.
+class RayScene {
+ public:
+  /// Throws DependencyError when Embree cannot start.
+  explicit RayScene(const std::vector<Surface>& surfaces);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+
+  /// The first surface along the unit direction.
+  [[nodiscard]] std::optional<RayHit> Trace(const Eigen::Vector3f& origin,
+                                            const Eigen::Vector3f& direction) const;
+
+  /// Whether anything stands between the two points, ends left out.
+  [[nodiscard]] bool IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace enfilade

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/render.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "enfilade/base/check.h"
+#include "enfilade/geometry/angles.h"
+#include "enfilade/scene/camera.h"
+#include "src/synthetic/finish.h"
+#include "src/synthetic/light.h"
+#include "src/synthetic/random.h"
+#include "src/synthetic/ray_scene.h"
+
+namespace enfilade {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+/// A home ready to be looked at.
+struct LitHome {
+  Home home;
+  RenderOptions options;
+  std::vector<Surface> surfaces;
+  std::unique_ptr<RayScene> scene;
+  BakedLight light;
+  std::map<int, float> exposure_of_room;
+};
+
+namespace {
+
+constexpr double kWallTone = 0.82;
+constexpr float kPi_f = static_cast<float>(kPi);
+constexpr double kLampThickness_m = 0.06;
+constexpr float kShadeGlow = 0.10f;  // lamps are this share of their radiance: what the shade shows
+
+// Distance to the nearest lamp's shade (a flat box) along the ray; infinity when none is hit.
+float LampDistance(const Home& home, const Vector3f& origin, const Vector3f& direction,
+                   const HomeLamp** lamp_hit) {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const HomeLamp& lamp : home.lamps) {
+    const Vector3d half(lamp.size.x() / 2, lamp.size.y() / 2, 0);
+    const Vector3f low = (lamp.center - half).cast<float>();
+    const Vector3f high = (lamp.center + half + Vector3d(0, 0, kLampThickness_m)).cast<float>();
+    float enter = 0, leave = nearest;
+    for (int k = 0; k < 3; ++k) {
+      const float a = (low[k] - origin[k]) / direction[k], b = (high[k] - origin[k]) / direction[k];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    if (enter > 0 && enter < leave) {
+      nearest = enter;
+      *lamp_hit = &lamp;
+    }
+  }
+  return nearest;
+}
+
+// Light from a ray's first surface, mirror images left out.
+Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
+                         std::optional<RayHit>* hit_out) {
+  const std::optional<RayHit> hit = lit.scene->Trace(origin, direction);
+  const HomeLamp* lamp = nullptr;
+  const float lamp_m = LampDistance(lit.home, origin, direction, &lamp);
+  if (lamp != nullptr && (!hit || lamp_m < hit->distance_m)) return kShadeGlow * lamp->radiance;
+  if (!hit) return SkyRadiance(direction);
+  if (hit_out != nullptr) *hit_out = hit;
+  const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
+  return ReflectanceAt(surface, hit->u, hit->v).cwiseProduct(lit.light.IrradianceAt(*hit)) / kPi_f;
+}
+
+Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3f& direction) {
+  std::optional<RayHit> hit;
+  const Vector3f diffuse = DiffuseRadiance(lit, origin, direction, &hit);
+  if (!hit) return diffuse;
+  const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
+  if (surface.gloss <= 0) return diffuse;
+  const float cosine = std::clamp(-surface.normal.dot(direction), 0.0f, 1.0f);
+  const float fresnel = 0.04f + 0.96f * std::pow(1 - cosine, 5.0f);  // Schlick 1994
+  const Vector3f mirrored = direction + 2 * cosine * surface.normal;
+  const Vector3f start = origin + hit->distance_m * direction + 1e-3f * surface.normal;
+  const Vector3f image = DiffuseRadiance(lit, start, mirrored.normalized(), nullptr);
+  const float weight = surface.gloss * fresnel;
+  return (1 - weight) * diffuse + weight * image;
+}
+
+struct WallLight {
+  double sum = 0, area = 0;
+  [[nodiscard]] double Mean() const { return area > 0 && sum > 0 ? sum / area : 1; }
+};
+
+// Mean radiance of the painted walls, by room.
+std::map<int, WallLight> MeasureWalls(const std::vector<Surface>& surfaces,
+                                      const BakedLight& light) {
+  std::map<int, WallLight> walls;
+  for (size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i].wall_id < 0 || surfaces[i].finish != Finish::kPaint) continue;
+    const LightGrid& grid = light.reflected[i];
+    WallLight& wall = walls[surfaces[i].room_id];
+    for (int r = 0; r < grid.rows; ++r) {
+      for (int c = 0; c < grid.cols; ++c) {
+        const Eigen::Vector2f uv = grid.Center(r, c);
+        const RayHit hit{static_cast<int>(i), 0, uv.x(), uv.y()};
+        wall.sum +=
+            grid.cell.prod() * surfaces[i].rgb.cwiseProduct(light.IrradianceAt(hit)).mean() / kPi;
+        wall.area += grid.cell.prod();
+      }
+    }
+  }
+  return walls;
+}
+
+// Walls become a fixed tone: two thirds after the room's own light and one third after the home's,
+// as cameras that keep their exposures alike do.
+std::map<int, float> ChooseExposures(const std::vector<Surface>& surfaces,
+                                     const BakedLight& light) {
+  const std::map<int, WallLight> walls = MeasureWalls(surfaces, light);
+  WallLight all;
+  for (const auto& [room_id, wall] : walls) {
+    all.sum += wall.sum;
+    all.area += wall.area;
+  }
+  std::map<int, float> exposures;
+  for (const auto& [room_id, wall] : walls) {
+    exposures[room_id] = static_cast<float>(kWallTone * std::pow(wall.Mean(), -2.0 / 3) *
+                                            std::pow(all.Mean(), -1.0 / 3));
+  }
+  return exposures;
+}
+
+// Compresses the highlights (Reinhard et al. 2002, eq. 4), then the sRGB curve; in [0, 255].
+float ToneMap(float radiance) {
+  constexpr float kWhite = 3.0f;
+  const float x = std::max(0.0f, radiance);
+  const float linear = std::min(1.0f, x * (1 + x / (kWhite * kWhite)) / (1 + x) * 1.12f);
+  const float srgb =
+      linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+  return 255 * srgb;
+}
+
+uint8_t ToByte(double value) {
+  return static_cast<uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+}
+
+// Height of the stand's silhouette above the nadir, as a share of the rows: a disc with three legs.
+double StandShareAt(double stand_share, double column_share, double turn) {
+  const double leg = std::cos(3 * 2 * kPi * (column_share + turn));
+  return stand_share * (1 + 0.35 * std::pow(std::max(0.0, leg), 24));
+}
+
+struct PixelJob {
+  const LitHome& lit;
+  const Camera& camera;
+  Vector3f origin;
+  Eigen::Matrix3d home_from_cam;
+  Eigen::Matrix3d world_from_home;
+  uint64_t seed;
+  double stand_turn;
+  float exposure;
+
+  [[nodiscard]] Vector3f Direction(double x, double y) const {
+    return (home_from_cam * camera.RayFromPixel({x, y})).normalized().cast<float>();
+  }
+};
+
+void RenderColour(const PixelJob& job, int row, int col, RenderedPanorama& out) {
+  Random random(
+      PartSeed(job.seed, static_cast<uint64_t>(row) * static_cast<uint64_t>(job.camera.width) +
+                             static_cast<uint64_t>(col)));
+  const int num_samples = job.lit.options.samples_per_pixel;
+  Vector3f sum(0, 0, 0);
+  for (int s = 0; s < num_samples; ++s) {
+    // Additive recurrence over the pixel (R2 sequence, Roberts 2018), shifted per pixel.
+    const double dx = std::fmod(0.7548776662 * (s + 1), 1.0),
+                 dy = std::fmod(0.5698402910 * (s + 1), 1.0);
+    const Vector3f radiance = RadianceAlong(job.lit, job.origin, job.Direction(col + dx, row + dy));
+    for (int k = 0; k < 3; ++k) sum[k] += ToneMap(job.exposure * radiance[k]);
+  }
+  for (int k = 0; k < 3; ++k) {
+    out.rgb(row, col, k) = ToByte(sum[k] / num_samples + job.lit.options.noise * random.Normal());
+  }
+}
+
+void RenderTruth(const PixelJob& job, int row, int col, RenderedPanorama& out) {
+  const Vector3f direction = job.Direction(col + 0.5, row + 0.5);
+  const std::optional<RayHit> hit = job.lit.scene->Trace(job.origin, direction);
+  const HomeLamp* lamp = nullptr;
+  const float lamp_m = LampDistance(job.lit.home, job.origin, direction, &lamp);
+  Vector3d normal_in_home(0, 0, -1);
+  if (lamp != nullptr && (!hit || lamp_m < hit->distance_m)) {
+    out.range_m(row, col) = lamp_m;
+    out.room_id(row, col) = static_cast<int16_t>(lamp->room_id);
+  } else if (hit) {
+    const Surface& surface = job.lit.surfaces[static_cast<size_t>(hit->surface_idx)];
+    out.range_m(row, col) = hit->distance_m;
+    out.label(row, col) = static_cast<uint8_t>(surface.label);
+    out.room_id(row, col) = static_cast<int16_t>(surface.room_id);
+    out.wall_id(row, col) = static_cast<int16_t>(surface.wall_id);
+    normal_in_home = surface.normal.cast<double>();
+  } else {
+    return;
+  }
+  const Vector3d normal = job.world_from_home * normal_in_home;
+  for (int k = 0; k < 3; ++k) out.normal(row, col, k) = static_cast<float>(normal[k]);
+}
+
+void RenderStand(const PixelJob& job, int row, int col, RenderedPanorama& out) {
+  Random random(
+      PartSeed(job.seed, static_cast<uint64_t>(row) * static_cast<uint64_t>(job.camera.width) +
+                             static_cast<uint64_t>(col)));
+  const double depth = (row + 0.5) / job.camera.height;  // lighter rim, darker towards the nadir
+  const double grey =
+      18 + 26 * std::clamp((1 - depth) / std::max(job.lit.options.stand_share, 1e-6), 0.0, 1.0);
+  for (int k = 0; k < 3; ++k)
+    out.rgb(row, col, k) = ToByte(grey + job.lit.options.noise * random.Normal());
+}
+
+void RenderRow(const PixelJob& job, int row, RenderedPanorama& out) {
+  for (int col = 0; col < job.camera.width; ++col) {
+    const double stand_share =
+        StandShareAt(job.lit.options.stand_share, (col + 0.5) / job.camera.width, job.stand_turn);
+    if ((row + 0.5) / job.camera.height > 1 - stand_share) {
+      RenderStand(job, row, col, out);
+    } else {
+      RenderColour(job, row, col, out);
+      RenderTruth(job, row, col, out);
+    }
+  }
+}
+
+RenderedPanorama BlankPanorama(ImageSize size) {
+  RenderedPanorama out;
+  out.rgb = ImageU8(size.height, size.width, 3);
+  out.range_m = ImageF(size.height, size.width);
+  out.normal = ImageF(size.height, size.width, 3);
+  out.label = ImageU8(size.height, size.width);
+  out.room_id = Image<int16_t>(size.height, size.width, 1, -1);
+  out.wall_id = Image<int16_t>(size.height, size.width, 1, -1);
+  return out;
+}
+
+}  // namespace
+
+std::span<const std::string_view> EnumNames(SurfaceLabel) {
+  static constexpr std::array<std::string_view, 4> kNames = {"other", "floor", "wall", "ceiling"};
+  return kNames;
+}
+
+HomeRenderer::HomeRenderer(const Home& home, const RenderOptions& options, RunContext& context) {
+  auto lit = std::make_unique<LitHome>();
+  lit->home = home;
+  lit->options = options;
+  ValidateOptions(VisitorOf(lit->options), "synthetic rendering");
+  lit->surfaces = MakeSurfaces(home);
+  lit->scene = std::make_unique<RayScene>(lit->surfaces);
+  lit->light = BakeLight(home, lit->surfaces, *lit->scene, lit->options, context);
+  lit->exposure_of_room = ChooseExposures(lit->surfaces, lit->light);
+  home_ = std::move(lit);
+}
+
+HomeRenderer::~HomeRenderer() = default;
+
+RenderedPanorama HomeRenderer::Render(int camera_idx, ImageSize size, RunContext& context) const {
+  const Home& home = home_->home;
+  ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(home.cameras.size()));
+  ENFILADE_CHECK(size.height > 0 && size.width == 2 * size.height);
+  const Rigid3& home_from_cam = home.cameras[static_cast<size_t>(camera_idx)].home_from_cam;
+  const Camera camera = EquirectangularCamera(size.width, size.height);
+  const uint64_t seed = PartSeed(home.seed + 2, static_cast<uint64_t>(camera_idx));
+  const PixelJob job{
+      *home_,
+      camera,
+      home_from_cam.translation.cast<float>(),
+      home_from_cam.rotation,
+      home.home_from_world.rotation.transpose(),
+      seed,
+      Random(seed).Uniform(),
+      home_->exposure_of_room.at(home.cameras[static_cast<size_t>(camera_idx)].room_id)};
+  RenderedPanorama out = BlankPanorama(size);
+  ParallelFor(context, "panorama", size.height,
+              [&](int64_t row) { RenderRow(job, static_cast<int>(row), out); });
+  return out;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/render.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/geometry/angles.h"
+#include "enfilade/scene/camera.h"
+#include "enfilade/synthetic/text_home.h"
+#include "enfilade/synthetic/truth.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr ImageSize kSize{256, 128};
+
+RenderOptions Quick() {
+  RenderOptions options;
+  options.samples_per_pixel = 1;
+  options.gather_rays = 16;
+  options.bounces = 1;
+  options.light_cell_m = 0.15;
+  return options;
+}
+
+RenderedPanorama RenderFirst(const Home& home, const RenderOptions& options) {
+  RunContext context;
+  return HomeRenderer(home, options, context).Render(0, kSize, context);
+}
+
+Vector3d RayInHome(const Home& home, int row, int col) {
+  const Camera camera = EquirectangularCamera(kSize.width, kSize.height);
+  return home.cameras[0].home_from_cam.rotation * camera.RayFromPixel({col + 0.5, row + 0.5});
+}
+
+TEST(Render, TruthOfAnEmptyRoomIsThatOfABox) {
+  TextHomeOptions options;
+  options.baseboard_m = 0;
+  options.heading_rad = 0.5;
+  options.floor_z = -0.2;
+  const Home home = TextHome("room 0,0 4,0 4,3 0,3 | camera 1,1.2", options);
+  const RenderedPanorama out = RenderFirst(home, Quick());
+  const Vector3d low(0, 0, -0.2), high(4, 3, 2.3), eye(1, 1.2, 1.3);
+  const Eigen::Matrix3d world_from_home = home.home_from_world.rotation.transpose();
+  int num_lamp = 0;
+  for (int row = 0; row < 110; ++row) {
+    for (int col = 0; col < kSize.width; ++col) {
+      if (out.label(row, col) == static_cast<uint8_t>(SurfaceLabel::kOther)) {
+        ++num_lamp;
+        continue;
+      }
+      const Vector3d ray = RayInHome(home, row, col);
+      double exit_m = 1e9;
+      int axis = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double t = ((ray[k] > 0 ? high[k] : low[k]) - eye[k]) / ray[k];
+        if (t < exit_m) {
+          exit_m = t;
+          axis = k;
+        }
+      }
+      ASSERT_NEAR(out.range_m(row, col), exit_m, 1e-4) << row << ' ' << col;
+      const SurfaceLabel expected = axis < 2      ? SurfaceLabel::kWall
+                                    : ray.z() > 0 ? SurfaceLabel::kCeiling
+                                                  : SurfaceLabel::kFloor;
+      ASSERT_EQ(out.label(row, col), static_cast<uint8_t>(expected));
+      ASSERT_EQ(out.room_id(row, col), 0);
+      ASSERT_EQ(out.wall_id(row, col) >= 0, axis < 2);
+      Vector3d normal = Vector3d::Zero();
+      normal[axis] = ray[axis] > 0 ? -1 : 1;
+      normal = world_from_home * normal;
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(out.normal(row, col, k), normal[k], 1e-6);
+    }
+  }
+  EXPECT_GT(num_lamp, 10);
+  EXPECT_LT(num_lamp, 800);
+}
+
+// Near an opening frames stand proud of the wall and leaves lie behind it.
+bool IsNearOpening(const Home& home, const Vector2d& p) {
+  return std::any_of(home.openings.begin(), home.openings.end(), [&](const HomeOpening& opening) {
+    const Vector2d through = opening.thickness_m * opening.IntoWall();
+    return std::min(DistanceToSegment(p, opening.a, opening.b),
+                    DistanceToSegment(p, opening.a + through, opening.b + through)) < 0.08;
+  });
+}
+
+TEST(Render, HorizonAgreesWithRaysInThePlan) {
+  for (const int seed : {3, 8}) {
+    HomeOptions options;
+    options.seed = seed;
+    options.furniture = 0;
+    const Home home = MakeHome(options);
+    const RenderedPanorama out = RenderFirst(home, Quick());
+    const PlanSegments segments = MakePlanSegments(home);
+    const Vector2d eye = home.cameras[0].home_from_cam.translation.head<2>();
+    const int row = kSize.height / 2;
+    int num_compared = 0;
+    for (int col = 0; col < kSize.width; ++col) {
+      const Vector3d ray = RayInHome(home, row, col);
+      const double level = ray.head<2>().norm();
+      const Vector2d direction = ray.head<2>() / level;
+      const auto wall = CastPlanRay(segments.walls, eye, direction);
+      const auto obstacle = CastPlanRay(segments.obstacles, eye, direction);
+      ASSERT_TRUE(wall.has_value());
+      double expected_m = wall->distance_m;
+      if (obstacle) expected_m = std::min(expected_m, obstacle->distance_m);
+      if (IsNearOpening(home, eye + expected_m * direction)) continue;
+      const bool is_leaf = expected_m < wall->distance_m;
+      EXPECT_NEAR(out.range_m(row, col) * level, expected_m, is_leaf ? 0.03 : 1e-3);
+      if (!is_leaf) {
+        EXPECT_EQ(out.wall_id(row, col),
+                  segments.walls[static_cast<size_t>(wall->segment_idx)].wall_id);
+      }
+      ++num_compared;
+    }
+    EXPECT_GT(num_compared, kSize.width / 2);
+  }
+}
+
+TEST(Render, SameBytesForOneAndTwoThreads) {
+  const Home home = TextHome(
+      "room 0,0 3,0 3,2.5 0,2.5 | room 3.1,0 5,0 5,2.5 3.1,2.5 | door 3,1 3,1.8 | window 1,0 2,0 | "
+      "box 0.1,1.8 0.8,2.4 | camera 1.6,1.4");
+  RunContext one(1), two(2);
+  const RenderedPanorama a = HomeRenderer(home, Quick(), one).Render(0, kSize, one);
+  const RenderedPanorama b = HomeRenderer(home, Quick(), two).Render(0, kSize, two);
+  EXPECT_EQ(a.rgb.data(), b.rgb.data());
+  EXPECT_EQ(a.range_m.data(), b.range_m.data());
+  EXPECT_EQ(a.label.data(), b.label.data());
+}
+
+TEST(Render, WhiteWallsLookWhite) {
+  for (const int seed : {1, 2}) {
+    HomeOptions options;
+    options.seed = seed;
+    const Home home = MakeHome(options);
+    const RenderedPanorama out = RenderFirst(home, Quick());
+    double sum = 0, colour = 0, count = 0;
+    for (int row = 0; row < kSize.height; ++row) {
+      for (int col = 0; col < kSize.width; ++col) {
+        if (out.label(row, col) != static_cast<uint8_t>(SurfaceLabel::kWall)) continue;
+        const uint8_t* p = &out.rgb(row, col);
+        sum += (p[0] + p[1] + p[2]) / 3.0;
+        colour += std::max({p[0], p[1], p[2]}) - std::min({p[0], p[1], p[2]});
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 0.2 * kSize.width * kSize.height);
+    EXPECT_GT(sum / count, 165);
+    EXPECT_LT(sum / count, 235);
+    EXPECT_LT(colour / count, 30);
+  }
+}
+
+TEST(Render, ReflectedLightReachesWhatNoLampSees) {
+  // The ceiling of the far corner sees the lamp's rim only; without bounces it is almost black.
+  const Home home = TextHome("room 0,0 5,0 5,4 0,4 | camera 1,1");
+  RenderOptions dark = Quick();
+  dark.bounces = 0;
+  dark.noise = 0;
+  RenderOptions lit = dark;
+  lit.bounces = 3;
+  const RenderedPanorama a = RenderFirst(home, dark), b = RenderFirst(home, lit);
+  const auto ceiling_to_floor = [](const RenderedPanorama& out) {
+    double sums[2] = {0, 0}, counts[2] = {1e-9, 1e-9};
+    for (int row = 0; row < kSize.height; ++row) {
+      for (int col = 0; col < kSize.width; ++col) {
+        const int label = out.label(row, col);
+        const int k = label == static_cast<int>(SurfaceLabel::kCeiling) ? 0 : 1;
+        if (k == 1 && label != static_cast<int>(SurfaceLabel::kFloor)) continue;
+        sums[k] += out.rgb(row, col, 1);
+        counts[k] += 1;
+      }
+    }
+    return (sums[0] / counts[0]) / (sums[1] / counts[1]);
+  };
+  EXPECT_LT(ceiling_to_floor(a), 0.6);
+  EXPECT_GT(ceiling_to_floor(b), 0.8);
+}
+
+TEST(Render, NoLightLeaksThroughTheShell) {
+  Home home = TextHome(
+      "room 0,0 4,0 4,3 0,3 | room 4.1,0 8,0 8,3 4.1,3 | door 4,1 4,1.8 | closed 1,0 1.9,0");
+  home.lamps.clear();
+  RenderOptions options = Quick();
+  options.noise = 0;
+  const RenderedPanorama out = RenderFirst(home, options);
+  for (int row = 0; row < 110; ++row) {
+    for (int col = 0; col < kSize.width; ++col)
+      ASSERT_EQ(out.rgb(row, col, 1), 0) << row << ' ' << col;
+  }
+}
+
+TEST(Render, StandCoversTheBottomAndHasNoTruth) {
+  const Home home = TextHome("room 0,0 4,0 4,3 0,3");
+  RenderOptions options = Quick();
+  options.stand_share = 0.08;
+  const RenderedPanorama out = RenderFirst(home, options);
+  for (int col = 0; col < kSize.width; ++col) {
+    for (const int row : {118, 127}) {
+      EXPECT_LT(out.rgb(row, col, 0), 60);
+      EXPECT_EQ(out.range_m(row, col), 0);
+      EXPECT_EQ(out.label(row, col), static_cast<uint8_t>(SurfaceLabel::kOther));
+      EXPECT_EQ(out.room_id(row, col), -1);
+    }
+    EXPECT_GT(out.range_m(112, col), 0);
+  }
+}
+
+TEST(Render, RefusesOptionsOutOfRange) {
+  RunContext context;
+  RenderOptions options;
+  options.samples_per_pixel = 0;
+  EXPECT_THROW(HomeRenderer(TextHome("room 0,0 4,0 4,3 0,3"), options, context), InvalidInputError);
+}
+
+}  // namespace
+}  // namespace enfilade
