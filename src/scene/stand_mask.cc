@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "enfilade/base/check.h"
@@ -103,6 +105,20 @@ std::optional<int> FirstRowOfBody(const std::vector<double>& agreement, size_t n
   return std::nullopt;
 }
 
+// The views whose pictures may tell where the stand is: panoramas of the most common size.
+std::vector<const View*> ComparableViews(const Scene& scene) {
+  std::map<std::pair<int, int>, std::vector<const View*>> views_of_size;
+  for (const View& view : scene.views) {
+    if (view.camera.model != CameraModel::kEquirectangular || !view.mask_path.empty()) continue;
+    views_of_size[{view.camera.width, view.camera.height}].push_back(&view);
+  }
+  std::vector<const View*> most;
+  for (auto& [size, views] : views_of_size) {
+    if (views.size() > most.size()) most = std::move(views);
+  }
+  return most;
+}
+
 ImageU8 ReadMask(const View& view) {
   ImageU8 mask = ReadImageGray(view.mask_path);
   if (mask.rows() != view.camera.height || mask.cols() != view.camera.width) {
@@ -137,6 +153,19 @@ Stand FindStand(std::span<const ImageU8> panoramas, const StandOptions& options)
   if (!body) return assumed;
   const double body_share = 1 - static_cast<double>(*body) / working_rows;
   return {std::min(0.5, body_share + options.margin_share), true};
+}
+
+Stand FindStandOfScene(const Scene& scene, const StandOptions& options, RunContext& context) {
+  constexpr size_t kMaxPictures = 8;
+  const std::vector<const View*> views = ComparableViews(scene);
+  const size_t num_pictures = std::min(views.size(), kMaxPictures);
+  if (static_cast<int>(num_pictures) < options.min_pictures) return {options.default_share, false};
+  std::vector<ImageU8> panoramas(num_pictures);
+  ParallelFor(context, "camera's stand", static_cast<int64_t>(num_pictures), [&](int64_t i) {
+    const size_t view_idx = static_cast<size_t>(i) * views.size() / num_pictures;
+    panoramas[static_cast<size_t>(i)] = ReadImageRgb(views[view_idx]->path);
+  });
+  return FindStand(panoramas, options);
 }
 
 ImageU8 TrustedPixels(const View& view, const Stand& stand) {

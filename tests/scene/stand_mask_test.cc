@@ -158,6 +158,48 @@ TEST(FindStand, GreyPicturesAndBugs) {
   EXPECT_THROW((void)FindStand(panoramas, {}), std::logic_error);
 }
 
+class FindStandOfSceneTest : public testing::Test {
+ protected:
+  void AddView(const ImageU8& picture) {
+    View view;
+    view.picture = std::to_string(scene_.views.size()) + ".png";
+    view.path = folder_ / view.picture;
+    view.camera = EquirectangularCamera(picture.cols(), picture.rows());
+    WriteImage(view.path, picture);
+    scene_.views.push_back(view);
+  }
+
+  TempFolder folder_;
+  Scene scene_;
+  RunContext context_{2};
+};
+
+TEST_F(FindStandOfSceneTest, ReadsThePictures) {
+  for (const ImageU8& picture : Capture(12, 0.08)) AddView(picture);
+  const Stand stand = FindStandOfScene(scene_, {}, context_);
+  EXPECT_TRUE(stand.is_measured);
+  EXPECT_NEAR(stand.masked_share, 0.10, 3.0 / 256);
+}
+
+TEST_F(FindStandOfSceneTest, LeavesOutOtherSizesMasksAndPinholes) {
+  AddView(ImageU8(64, 128, 3));
+  for (const ImageU8& picture : Capture(4, 0.08)) AddView(picture);
+  AddView(ImageU8(kRows, kCols, 3));
+  scene_.views.back().mask_path = "mask.png";
+  AddView(ImageU8(kRows, kCols, 3));
+  scene_.views.back().camera = PinholeCamera(kCols, kRows, 100, 100, kCols / 2, kRows / 2);
+  EXPECT_TRUE(FindStandOfScene(scene_, {}, context_).is_measured);
+}
+
+TEST_F(FindStandOfSceneTest, TooFewAndMissingPictures) {
+  EXPECT_FALSE(FindStandOfScene(scene_, {}, context_).is_measured);
+  for (const ImageU8& picture : Capture(3, 0.08)) AddView(picture);
+  std::filesystem::remove(scene_.views[1].path);
+  EXPECT_THROW((void)FindStandOfScene(scene_, {}, context_), IoError);
+  scene_.views.pop_back();
+  EXPECT_FALSE(FindStandOfScene(scene_, {}, context_).is_measured);
+}
+
 TEST(Stand, NumTrustedRows) {
   EXPECT_EQ((Stand{0.1, true}.NumTrustedRows(1024)), 921);
   EXPECT_EQ((Stand{0, true}.NumTrustedRows(1024)), 1024);

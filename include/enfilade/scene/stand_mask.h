@@ -5,6 +5,7 @@
 #include <span>
 
 #include "enfilade/base/options.h"
+#include "enfilade/base/run_context.h"
 #include "enfilade/image/image.h"
 #include "enfilade/scene/types.h"
 
@@ -23,7 +24,7 @@ struct StandOptions {
       "Share of the rows above the stand's body that is ignored as well, for its legs.",
       {0.0, 0.2});
     v("min_pictures", min_pictures, "The stand is looked for in at least so many panoramas.",
-      {2.0, 1000.0});
+      {2.0, 8.0});
   }
 };
 
@@ -45,6 +46,12 @@ struct Stand {
 /// fewer than options.min_pictures, when nothing agrees and when everything does (pictures from one
 /// place). The body's edge is found within three rows of 256. Cost: the pictures' pixels.
 [[nodiscard]] Stand FindStand(std::span<const ImageU8> panoramas, const StandOptions& options);
+
+/// The stand of a scene's panoramas: reads at most eight of them, spread evenly over the views that
+/// have no mask of their own and the size that most of them have. Throws IoError or
+/// InvalidInputError for pictures that cannot be read.
+[[nodiscard]] Stand FindStandOfScene(const Scene& scene, const StandOptions& options,
+                                     RunContext& context);
 
 /// The pixels of a view that show the scene: view.camera.height × width, 255 = trusted, 0 = not.
 /// The user's mask (view.mask_path) overrides the stand; pinhole views without one are trusted
