@@ -29,6 +29,32 @@ const Json& Member(const Json& object, const char* key, const std::string& where
   return *it;
 }
 
+std::string DumpPlain(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Objects and arrays that hold objects or arrays have a line for each member; arrays of plain
+// values, such as points and matrices, stand on one line.
+void DumpIndented(const Json& value, const std::string& indent, std::string& text) {
+  const bool is_array = value.is_array();
+  const auto is_nested = [](const Json& member) { return member.is_structured(); };
+  if (!value.is_structured() || value.empty()) {
+    text += DumpPlain(value);
+    return;
+  }
+  const bool is_one_line = is_array && std::none_of(value.begin(), value.end(), is_nested);
+  const std::string deeper = indent + "  ";
+  text += is_array ? "[" : "{";
+  for (auto it = value.begin(); it != value.end(); ++it) {
+    if (it != value.begin()) text += is_one_line ? ", " : ",";
+    if (!is_one_line) text.append("\n").append(deeper);
+    if (!is_array) text.append(DumpPlain(Json(it.key()))).append(": ");
+    DumpIndented(*it, deeper, text);
+  }
+  if (!is_one_line) text.append("\n").append(indent);
+  text += is_array ? "]" : "}";
+}
+
 }  // namespace
 
 Json ReadJsonFile(const std::filesystem::path& path, uint64_t max_bytes) {
@@ -48,7 +74,9 @@ Json ReadJsonFile(const std::filesystem::path& path, uint64_t max_bytes) {
 }
 
 void WriteJsonFile(const std::filesystem::path& path, const Json& json) {
-  WriteFileAtomic(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  std::string text;
+  DumpIndented(json, "", text);
+  WriteFileAtomic(path, text + "\n");
 }
 
 double JsonNumber(const Json& object, const char* key, const std::string& where) {

@@ -51,9 +51,19 @@ TEST(WriteJsonFile, SortsKeysAndKeepsNumbers) {
   const Json json = {{"b", 0.1}, {"a", {1, 2.5, 1.0 / 3.0}}, {"text", "bad \xff byte"}};
   WriteJsonFile(folder / "f.json", json);
   EXPECT_EQ(ReadFile(folder / "f.json"),
-            "{\n  \"a\": [\n    1,\n    2.5,\n    0.3333333333333333\n  ],\n  \"b\": 0.1,\n"
+            "{\n  \"a\": [1, 2.5, 0.3333333333333333],\n  \"b\": 0.1,\n"
             "  \"text\": \"bad \xEF\xBF\xBD byte\"\n}\n");
   EXPECT_EQ(ReadJsonFile(folder / "f.json")["a"][2].get<double>(), 1.0 / 3.0);
+}
+
+TEST(WriteJsonFile, PutsArraysOfPlainValuesOnOneLine) {
+  const TempFolder folder;
+  const Json json = Json::parse(R"({"ring": [[0, 1], [2, 3]], "none": [], "list": [{"k": {}}]})");
+  WriteJsonFile(folder / "f.json", json);
+  EXPECT_EQ(ReadFile(folder / "f.json"),
+            "{\n  \"list\": [\n    {\n      \"k\": {}\n    }\n  ],\n  \"none\": [],\n"
+            "  \"ring\": [\n    [0, 1],\n    [2, 3]\n  ]\n}\n");
+  EXPECT_EQ(ReadJsonFile(folder / "f.json"), json);
 }
 
 TEST(TypedAccess, GivesValues) {

@@ -15,8 +15,9 @@ namespace enfilade {
 [[nodiscard]] nlohmann::json ReadJsonFile(const std::filesystem::path& path,
                                           uint64_t max_bytes = uint64_t{1} << 28);
 
-/// Writes atomically, two-space indented, keys sorted, numbers in shortest form that reads back the
-/// same, strings that are no UTF-8 with the bad bytes replaced. Throws IoError.
+/// Writes atomically, two-space indented, arrays of plain values on one line, keys sorted, numbers
+/// in shortest form that reads back the same, strings that are no UTF-8 with the bad bytes
+/// replaced. Throws IoError.
 void WriteJsonFile(const std::filesystem::path& path, const nlohmann::json& json);
 
 /// Typed access that tells the user which key of which file is at fault. `where` is the file.
