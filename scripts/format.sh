@@ -26,7 +26,8 @@ fi
 files=()
 while IFS= read -r -d '' file; do
   if [[ -f $file ]]; then files+=("$file"); fi
-done < <(git ls-files -z --cached --others --exclude-standard -- '*.h' '*.cc')
+done < <(git ls-files -z --cached --others --exclude-standard -- '*.h' '*.cc' 2>/dev/null ||
+         find apps include src tests -name '*.h' -print0 -o -name '*.cc' -print0)
 
 if [[ ${1:-} != --check ]]; then
   "$clang_format" -i "${files[@]}"
