@@ -179,6 +179,7 @@ size_t EditDistance(std::string_view a, std::string_view b) {
 [[noreturn]] void ThrowUnknown(const std::vector<OptionInfo>& infos, std::string_view path,
                                const std::string& where) {
   std::vector<std::string> paths;
+  paths.reserve(infos.size());
   for (const OptionInfo& info : infos) paths.push_back(info.path);
   const std::string nearest = NearestWord(path, paths);
   throw InvalidInputError(
