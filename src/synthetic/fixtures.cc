@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "enfilade/base/check.h"
+#include "enfilade/structure/wall_samples.h"
 #include "enfilade/synthetic/truth.h"
 #include "src/synthetic/random.h"
 
@@ -105,30 +106,7 @@ Structure FixtureStructure(const Home& home, const ProfileNoise& noise) {
 }
 
 WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise) {
-  const Structure structure = FixtureStructure(home, noise);
-  WallSampleSet set;
-  set.bin_m = structure.bin_m;
-  for (const WallProfile& profile : structure.profiles) {
-    const HomeCamera& camera = home.cameras[static_cast<size_t>(profile.view_idx)];
-    for (int c = 0; c < profile.num_columns(); ++c) {
-      const auto i = static_cast<size_t>(c);
-      WallSample sample;
-      sample.view_idx = profile.view_idx;
-      sample.origin = camera.home_from_cam.translation.head<2>();
-      const double azimuth = AzimuthOfColumn(c, profile.num_columns());
-      sample.direction = {std::cos(azimuth), std::sin(azimuth)};
-      sample.spread_rad = 2 * kPi / profile.num_columns();
-      sample.wall_m = profile.wall_m[i];
-      sample.obstacle_m = profile.obstacle_m[i];
-      sample.confidence = profile.confidence[i];
-      if (profile.is_seen[i] != 0) {
-        const float* row = profile.wall_probability.row(c);
-        sample.wall_probability.assign(row, row + noise.num_bins);
-      }
-      set.samples.push_back(std::move(sample));
-    }
-  }
-  return set;
+  return MakeWallSamples(FixtureStructure(home, noise), FixtureScene(home), 0);
 }
 
 Scene FixtureScene(const Home& home, int width, int height) {

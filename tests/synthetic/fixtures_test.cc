@@ -45,25 +45,24 @@ TEST(FixtureWallSamples, NoiseHasTheAskedSize) {
   ProfileNoise noise;
   noise.num_columns = 4096;
   const WallSampleSet perfect = FixtureWallSamples(home, noise);
-  noise.sigma_relative = 0.02;
-  noise.unseen_share = 0.25;
-  const WallSampleSet noisy = FixtureWallSamples(home, noise);
-  double squares = 0, num_unseen = 0;
+  ASSERT_EQ(perfect.samples.size(), 4096u);
+  const auto n = static_cast<double>(perfect.samples.size());
+  ProfileNoise unseen = noise;
+  unseen.unseen_share = 0.25;
+  const auto num_seen = static_cast<double>(FixtureWallSamples(home, unseen).samples.size());
+  EXPECT_NEAR(num_seen / n, 0.75, 0.03);
+  ProfileNoise blurred = noise;
+  blurred.sigma_relative = 0.02;
+  ProfileNoise outliers = noise;
+  outliers.outlier_share = 0.1;
+  const WallSampleSet noisy = FixtureWallSamples(home, blurred);
+  const WallSampleSet wild = FixtureWallSamples(home, outliers);
+  double squares = 0, num_outliers = 0;
   for (size_t i = 0; i < perfect.samples.size(); ++i) {
     squares += std::pow(noisy.samples[i].wall_m / perfect.samples[i].wall_m - 1, 2);
-    num_unseen += noisy.samples[i].wall_probability.empty() ? 1 : 0;
+    num_outliers += std::abs(wild.samples[i].wall_m - perfect.samples[i].wall_m) > 1e-3 ? 1 : 0;
   }
-  const auto n = static_cast<double>(perfect.samples.size());
   EXPECT_NEAR(std::sqrt(squares / n), 0.02, 0.001);
-  EXPECT_NEAR(num_unseen / n, 0.25, 0.03);
-  noise.sigma_relative = 0;
-  noise.outlier_share = 0.1;
-  const WallSampleSet outliers = FixtureWallSamples(home, noise);
-  double num_outliers = 0;
-  for (size_t i = 0; i < perfect.samples.size(); ++i) {
-    const double error_m = outliers.samples[i].wall_m - perfect.samples[i].wall_m;
-    num_outliers += std::abs(error_m) > 1e-3 ? 1 : 0;
-  }
   EXPECT_NEAR(num_outliers / n, 0.1, 0.02);
 }
 

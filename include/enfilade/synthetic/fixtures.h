@@ -28,7 +28,7 @@ struct ProfileNoise {
 /// heights and one wall profile per camera, by casting rays through the true plan.
 [[nodiscard]] Structure FixtureStructure(const Home& home, const ProfileNoise& noise = {});
 
-/// The same as wall samples, one per column and camera.
+/// The same as wall samples, one per camera and column that saw something.
 [[nodiscard]] WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise = {});
 
 /// The views of the home's cameras with their poses and no pictures, in the order of home.cameras.

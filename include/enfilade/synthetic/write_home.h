@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "enfilade/base/options.h"
+#include "enfilade/base/run_context.h"
+#include "enfilade/synthetic/home.h"
+#include "enfilade/synthetic/render.h"
+
+namespace enfilade {
+
+struct WriteHomeOptions {
+  int width = 1024;
+  int jpeg_quality = 92;
+  bool has_pixel_truth = false;
+  RenderOptions render;
+
+  void Visit(OptionVisitor& v) {
+    v("width", width, "Width of the panoramas in pixels, even; their height is half of it.",
+      {64, 16384});
+    v("jpeg_quality", jpeg_quality, "Quality of the pictures.", {1, 100});
+    v("has_pixel_truth", has_pixel_truth,
+      "Also write depth, normals, labels, rooms and walls per pixel below truth/.");
+    v("render", render, "How the pictures are made.");
+  }
+};
+
+/// Renders a home and writes it as a folder that `enfilade run` and `enfilade evaluate` take:
+///
+///   panos/pano_000.jpg …     the pictures
+///   transforms.json          their poses: Nerfstudio form, EQUIRECTANGULAR, camera to world, z up,
+///                            OpenGL camera axes (x right, y up, z backwards)
+///   truth/floorplan.json     the true plan (docs/formats.md), with pictures' hashes
+///
+/// and with `has_pixel_truth`, one file a panorama, rows from top to bottom, in NumPy's format:
+///
+///   truth/depth/*.npy        float32, H × W: metres along the ray, 0 for none
+///   truth/normals/*.npy      int8, H × W × 3: 127 times the unit normal, world frame
+///   truth/labels/*.png       8 bit: 0 other, 1 floor, 2 wall, 3 ceiling
+///   truth/rooms/*.npy        int16, H × W: room id, −1 for none; truth/walls likewise: wall id
+///
+/// A home that is there is replaced: transforms.json goes first and comes last, so a folder that
+/// has it is whole. Same home and options, same bytes. Throws InvalidInputError for options out of
+/// range and IoError.
+void WriteHome(const std::filesystem::path& folder, const Home& home,
+               const WriteHomeOptions& options, RunContext& context);
+
+}  // namespace enfilade

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/write_home.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <system_error>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/base/file.h"
+#include "enfilade/base/hash.h"
+#include "enfilade/base/json.h"
+#include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/image/codec.h"
+#include "enfilade/synthetic/truth.h"
+#include "src/synthetic/npy.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// OpenGL cameras look along −z with y up: half a turn about x.
+Json TransformMatrix(const Rigid3& world_from_cam) {
+  Rigid3 cam_from_gl;
+  cam_from_gl.rotation.diagonal() << 1, -1, -1;
+  const Eigen::Matrix4d matrix = (world_from_cam * cam_from_gl).Matrix();
+  Json rows = Json::array();
+  for (int r = 0; r < 4; ++r) {
+    Json row = Json::array();
+    for (int c = 0; c < 4; ++c) row.push_back(matrix(r, c) + 0.0);  // no −0
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Json Transforms(const Home& home, ImageSize size) {
+  Json frames = Json::array();
+  for (size_t i = 0; i < home.cameras.size(); ++i) {
+    frames.push_back(
+        {{"file_path", "panos/" + home.cameras[i].picture},
+         {"transform_matrix", TransformMatrix(home.WorldFromCamera(static_cast<int>(i)))}});
+  }
+  return {{"camera_model", "EQUIRECTANGULAR"},
+          {"w", size.width},
+          {"h", size.height},
+          {"up_axis", "z"},
+          {"units", "m"},
+          {"frames", frames}};
+}
+
+void RemoveFile(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw IoError(path.native(), "cannot be replaced", "choose another folder");
+}
+
+// Takes away what an earlier home left: poses first, then pictures that this home lacks.
+void RemoveOldHome(const fs::path& folder, const Home& home) {
+  RemoveFile(folder / "transforms.json");
+  std::set<std::string> kept;
+  for (const HomeCamera& camera : home.cameras) kept.insert(camera.picture);
+  std::vector<fs::path> old;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "panos")) {
+    const std::string name = entry.path().filename().native();
+    const bool is_ours = name.starts_with("pano_") && name.ends_with(".jpg");
+    if (is_ours && kept.count(name) == 0) old.push_back(entry.path());
+  }
+  for (const fs::path& path : old) RemoveFile(path);
+}
+
+Image<int8_t> QuantizeNormals(const ImageF& normal) {
+  Image<int8_t> out(normal.rows(), normal.cols(), 3);
+  for (size_t i = 0; i < out.data().size(); ++i) {
+    out.data()[i] = static_cast<int8_t>(std::lround(127 * normal.data()[i]));
+  }
+  return out;
+}
+
+void WritePixelTruth(const fs::path& folder, const std::string& stem,
+                     const RenderedPanorama& panorama) {
+  WriteNpy(folder / "depth" / (stem + ".npy"), panorama.range_m);
+  WriteNpy(folder / "normals" / (stem + ".npy"), QuantizeNormals(panorama.normal));
+  WriteImage(folder / "labels" / (stem + ".png"), panorama.label);
+  WriteNpy(folder / "rooms" / (stem + ".npy"), panorama.room_id);
+  WriteNpy(folder / "walls" / (stem + ".npy"), panorama.wall_id);
+}
+
+}  // namespace
+
+void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions& options,
+               RunContext& context) {
+  WriteHomeOptions checked = options;
+  ValidateOptions(VisitorOf(checked), "synthetic home");
+  if (options.width % 2 != 0) {
+    throw InvalidInputError("width", "is odd", "give an even number: panoramas are 2:1");
+  }
+  const ImageSize size{options.width, options.width / 2};
+  CreateFolder(folder / "panos");
+  RemoveOldHome(folder, home);
+
+  const HomeRenderer renderer(home, options.render, context);
+  Floorplan truth = TruthFloorplan(home);
+  for (size_t i = 0; i < home.cameras.size(); ++i) {
+    const RenderedPanorama panorama = renderer.Render(static_cast<int>(i), size, context);
+    const std::string jpeg = EncodeImage(panorama.rgb, ".jpg", options.jpeg_quality);
+    WriteFileAtomic(folder / "panos" / home.cameras[i].picture, jpeg);
+    truth.cameras[i].sha256 = Sha256(jpeg);
+    if (!options.has_pixel_truth) continue;
+    const std::string stem = fs::path(home.cameras[i].picture).stem().native();
+    WritePixelTruth(folder / "truth", stem, panorama);
+  }
+  WriteFloorplanJson(folder / "truth" / "floorplan.json", truth, {{"synthetic_seed", home.seed}});
+  WriteJsonFile(folder / "transforms.json", Transforms(home, size));
+}
+
+}  // namespace enfilade

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/synthetic/write_home.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/base/file.h"
+#include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/exchange/scene_reader.h"
+#include "enfilade/synthetic/text_home.h"
+#include "enfilade/synthetic/truth.h"
+#include "tests/support/temp_folder.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+Home SmallHome() {
+  TextHomeOptions options;
+  options.heading_rad = 0.35;
+  options.floor_z = 0.15;
+  return TextHome(
+      "room 0,0 3,0 3,2.5 0,2.5 | room 3.1,0 5,0 5,2.5 3.1,2.5 | door 3,1 3,1.8 | window 1,0 2,0 | "
+      "camera 1,1.2 | camera 2,1.4 | camera 4,1.2",
+      options);
+}
+
+WriteHomeOptions Quick() {
+  WriteHomeOptions options;
+  options.width = 128;
+  options.render.samples_per_pixel = 1;
+  options.render.gather_rays = 16;
+  options.render.bounces = 1;
+  options.render.light_cell_m = 0.2;
+  return options;
+}
+
+TEST(WriteHome, ReadersGetBackPosesAndPlan) {
+  const TempFolder folder;
+  const Home home = SmallHome();
+  RunContext context;
+  WriteHome(folder.path(), home, Quick(), context);
+
+  const SceneReadReport report = ReadScene(folder.path(), {}, context);
+  EXPECT_TRUE(report.warnings.empty());
+  ASSERT_EQ(report.scene.views.size(), 3u);
+  for (const View& view : report.scene.views) {
+    EXPECT_EQ(view.camera.width, 128);
+    for (size_t i = 0; i < home.cameras.size(); ++i) {
+      if (home.cameras[i].picture != fs::path(view.picture).filename()) continue;
+      const Rigid3 expected = home.WorldFromCamera(static_cast<int>(i));
+      EXPECT_TRUE(view.world_from_cam.rotation.isApprox(expected.rotation, 1e-9));
+      EXPECT_TRUE(view.world_from_cam.translation.isApprox(expected.translation, 1e-9));
+    }
+  }
+
+  const Floorplan plan = ReadFloorplanJson(folder / "truth/floorplan.json");
+  const Floorplan truth = TruthFloorplan(home);
+  ASSERT_EQ(plan.storeys.size(), 1u);
+  ASSERT_EQ(plan.storeys[0].rooms.size(), 2u);
+  EXPECT_NEAR(Area(plan.storeys[0].rooms[0].polygon), 7.5, 1e-5);
+  EXPECT_EQ(plan.storeys[0].walls.size(), truth.storeys[0].walls.size());
+  EXPECT_EQ(plan.storeys[0].openings.size(), 2u);
+  EXPECT_TRUE(plan.home_from_world.rotation.isApprox(home.home_from_world.rotation, 1e-6));
+  EXPECT_NEAR(plan.storeys[0].floor_z, 0.15, 1e-6);
+  for (const PlanCamera& camera : plan.cameras) EXPECT_EQ(camera.sha256.size(), 64u);
+}
+
+TEST(WriteHome, PixelTruthIsWrittenOnRequestOnly) {
+  const TempFolder folder;
+  RunContext context;
+  WriteHomeOptions options = Quick();
+  WriteHome(folder.path(), SmallHome(), options, context);
+  EXPECT_FALSE(fs::exists(folder / "truth/depth"));
+  options.has_pixel_truth = true;
+  WriteHome(folder.path(), SmallHome(), options, context);
+  EXPECT_EQ(fs::file_size(folder / "truth/depth/pano_001.npy"), 128u + 4u * 128 * 64);
+  EXPECT_EQ(fs::file_size(folder / "truth/normals/pano_001.npy"), 128u + 3u * 128 * 64);
+  EXPECT_EQ(fs::file_size(folder / "truth/rooms/pano_002.npy"), 128u + 2u * 128 * 64);
+  EXPECT_TRUE(fs::exists(folder / "truth/walls/pano_000.npy"));
+  const ImageU8 labels = ReadImageGray(folder / "truth/labels/pano_000.png");
+  EXPECT_EQ(labels.cols(), 128);
+  EXPECT_EQ(labels(4, 5), static_cast<uint8_t>(SurfaceLabel::kCeiling));
+}
+
+TEST(WriteHome, ReplacesAnEarlierHome) {
+  const TempFolder folder;
+  RunContext context;
+  WriteHome(folder.path(), SmallHome(), Quick(), context);
+  WriteFileAtomic(folder / "panos/own.txt", "kept");
+  WriteHome(folder.path(), TextHome("room 0,0 3,0 3,2.5 0,2.5"), Quick(), context);
+  EXPECT_TRUE(fs::exists(folder / "panos/pano_000.jpg"));
+  EXPECT_FALSE(fs::exists(folder / "panos/pano_001.jpg"));
+  EXPECT_TRUE(fs::exists(folder / "panos/own.txt"));
+  EXPECT_EQ(ReadScene(folder.path(), {}, context).scene.views.size(), 1u);
+}
+
+TEST(WriteHome, SameHomeSameBytes) {
+  const TempFolder a, b;
+  RunContext one(1), two(2);
+  WriteHome(a.path(), SmallHome(), Quick(), one);
+  WriteHome(b.path(), SmallHome(), Quick(), two);
+  for (const char* name : {"transforms.json", "truth/floorplan.json", "panos/pano_000.jpg"}) {
+    EXPECT_EQ(ReadFile(a / name), ReadFile(b / name)) << name;
+  }
+}
+
+TEST(WriteHome, RefusesBadOptionsAndPlaces) {
+  const TempFolder folder;
+  RunContext context;
+  WriteHomeOptions options = Quick();
+  options.width = 129;
+  EXPECT_THROW(WriteHome(folder.path(), SmallHome(), options, context), InvalidInputError);
+  options.width = 8;
+  EXPECT_THROW(WriteHome(folder.path(), SmallHome(), options, context), InvalidInputError);
+  WriteFileAtomic(folder / "file", "x");
+  EXPECT_THROW(WriteHome(folder / "file", SmallHome(), Quick(), context), IoError);
+}
+
+}  // namespace
+}  // namespace enfilade
