@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/structure/heights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,13 @@
 
 namespace enfilade {
 namespace {
+
+// Weight of one squared standard deviation of the camera's height, mean response.
+constexpr double kPriorWeight = 0.01;
+constexpr double kBaseboardStep_m = 0.01;
+constexpr double kMinBaseboard_m = 0.035;
+// One side of the floor line's lobe must exceed the other by this share of its rise.
+constexpr double kMinShoulder = 0.15;
 
 // Score of the best wall path of one panorama under hypothesised heights, as mean response a
 // column.
@@ -37,41 +46,77 @@ double Median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// One hypothesis for floor and baseboard.
-struct FloorHypothesis {
-  double floor_z;
-  double baseboard_m;
-};
-
-// Mean over the views of the path score of each hypothesis, with the log prior on the camera
-// height.
-std::vector<double> ScoreFloors(std::span<const HeightView> views,
-                                const std::vector<FloorHypothesis>& hypotheses,
+// Mean over the views of the path score of each floor height, with the log prior on the camera height.
+std::vector<double> ScoreFloors(std::span<const HeightView> views, const std::vector<double>& floors,
                                 double prior_camera_m, const DistanceBins& bins,
                                 const PlaneViterbiOptions& viterbi, const HeightOptions& options,
                                 RunContext& context) {
   const int64_t num_views = static_cast<int64_t>(views.size());
-  std::vector<double> scores(hypotheses.size() * views.size());
+  std::vector<double> scores(floors.size() * views.size());
   ParallelFor(context, "floor height", static_cast<int64_t>(scores.size()), [&](int64_t i) {
-    const FloorHypothesis& hypothesis = hypotheses[static_cast<size_t>(i / num_views)];
-    scores[static_cast<size_t>(i)] =
-        PathScore(views[static_cast<size_t>(i % num_views)], hypothesis.floor_z,
-                  hypothesis.baseboard_m, nullptr, bins, viterbi);
+    scores[static_cast<size_t>(i)] = PathScore(views[static_cast<size_t>(i % num_views)],
+                                               floors[static_cast<size_t>(i / num_views)], 0, nullptr, bins, viterbi);
   });
   const double median_z = MedianCameraZ(views);
   std::vector<double> means;
-  for (size_t h = 0; h < hypotheses.size(); ++h) {
+  for (size_t h = 0; h < floors.size(); ++h) {
     double sum = 0;
     for (size_t v = 0; v < views.size(); ++v) sum += scores[h * views.size() + v];
     double mean = sum / static_cast<double>(views.size());
     if (prior_camera_m > 0) {
-      const double off =
-          (median_z - hypotheses[h].floor_z - prior_camera_m) / options.camera_prior_sigma_m;
-      mean -= 0.01 * std::min(off * off, 100.0);
+      const double off = (median_z - floors[h] - prior_camera_m) / options.camera_prior_sigma_m;
+      mean -= kPriorWeight * std::min(off * off, 100.0);
     }
     means.push_back(mean);
   }
   return means;
+}
+
+// Mean response, along the walls that a single floor line finds, at each height about that line.
+std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double floor_z,
+                                       const std::vector<double>& heights, const DistanceBins& bins,
+                                       const PlaneViterbiOptions& viterbi, RunContext& context) {
+  std::vector<std::vector<double>> profiles(views.size(), std::vector<double>(heights.size()));
+  ParallelFor(context, "baseboard", static_cast<int64_t>(views.size()), [&](int64_t i) {
+    const HeightView& view = views[static_cast<size_t>(i)];
+    ColumnScores scores = ScoreFloor(*view.response, view.camera_z - floor_z, 0, bins);
+    AddScores(*view.correlation, 1.0, scores);
+    const WallPath path = FindWallPath(scores, bins, viterbi, false);
+    for (size_t h = 0; h < heights.size(); ++h) {
+      const ColumnScores line = ScoreLine(*view.response, view.camera_z - floor_z - heights[h], bins);
+      double sum = 0;
+      for (size_t c = 0; c < path.wall_m.size(); ++c) {
+        const int bin = std::clamp(static_cast<int>(std::lround(bins.Bin(path.wall_m[c]))), 0, bins.count - 1);
+        sum += line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin);
+      }
+      profiles[static_cast<size_t>(i)][h] = sum / static_cast<double>(path.wall_m.size());
+    }
+  });
+  std::vector<double> mean(heights.size());
+  for (const std::vector<double>& profile : profiles) {
+    for (size_t h = 0; h < heights.size(); ++h) mean[h] += profile[h] / static_cast<double>(views.size());
+  }
+  return mean;
+}
+
+// Height of a second line about the floor line, 0 when there is none. At the resolution of a picture the
+// second line is a shoulder of the first one's lobe, so the two sides of the lobe are compared.
+double FindSecondLine(std::span<const HeightView> views, double floor_z, const DistanceBins& bins,
+                      const PlaneViterbiOptions& viterbi, const HeightOptions& options, RunContext& context) {
+  const int reach = static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m));
+  std::vector<double> heights;
+  for (int i = -reach; i <= reach; ++i) heights.push_back(i * kBaseboardStep_m);
+  const std::vector<double> response = ResponseAboutFloor(views, floor_z, heights, bins, viterbi, context);
+  const double rise = *std::max_element(response.begin(), response.end()) -
+                      *std::min_element(response.begin(), response.end());
+  double best_excess = kMinShoulder * rise, best = 0;
+  for (int i = static_cast<int>(std::ceil(kMinBaseboard_m / kBaseboardStep_m)); i <= reach; ++i) {
+    const double above = response[static_cast<size_t>(reach + i)], below = response[static_cast<size_t>(reach - i)];
+    if (std::abs(above - below) <= best_excess) continue;
+    best_excess = std::abs(above - below);
+    best = (above > below ? i : -i) * kBaseboardStep_m;
+  }
+  return best;
 }
 
 size_t ArgMax(const std::vector<double>& values) {
@@ -103,28 +148,20 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
                             const HeightOptions& options, RunContext& context) {
   ENFILADE_CHECK(!views.empty());
   const double median_z = MedianCameraZ(views);
-  std::vector<FloorHypothesis> coarse;
-  const double low =
-      prior_camera_m > 0 ? prior_camera_m - 3 * options.camera_prior_sigma_m : options.min_camera_m;
-  const double high =
-      prior_camera_m > 0 ? prior_camera_m + 3 * options.camera_prior_sigma_m : options.max_camera_m;
-  for (double h = low; h <= high + 1e-9; h += options.step_m) coarse.push_back({median_z - h, 0.0});
-  const std::vector<double> coarse_scores =
-      ScoreFloors(views, coarse, prior_camera_m, bins, viterbi, options, context);
-  const FloorHypothesis start = coarse[ArgMax(coarse_scores)];
+  const double reach = 3 * options.camera_prior_sigma_m;
+  const double low = prior_camera_m > 0 ? prior_camera_m - reach : options.min_camera_m;
+  const double high = prior_camera_m > 0 ? prior_camera_m + reach : options.max_camera_m;
+  std::vector<double> floors;
+  for (double h = low; h <= high + 1e-9; h += options.step_m) floors.push_back(median_z - h);
+  const std::vector<double> scores = ScoreFloors(views, floors, prior_camera_m, bins, viterbi, options, context);
+  FloorEstimate estimate{PeakPosition(scores, floors), 0, scores[ArgMax(scores)] - Median(scores)};
 
-  // Floor and baseboard together: either of the two lines may have won the coarse search.
-  std::vector<FloorHypothesis> fine;
-  for (double offset = -0.10; offset <= 0.061; offset += 0.02) {
-    for (double baseboard = 0; baseboard <= options.max_baseboard_m + 1e-9; baseboard += 0.02) {
-      if (baseboard > 0 && baseboard < 0.035) continue;
-      fine.push_back({start.floor_z + offset, baseboard});
-    }
-  }
-  const std::vector<double> fine_scores =
-      ScoreFloors(views, fine, prior_camera_m, bins, viterbi, options, context);
-  const size_t best = ArgMax(fine_scores);
-  return {fine[best].floor_z, fine[best].baseboard_m, fine_scores[best] - Median(coarse_scores)};
+  const double second = FindSecondLine(views, estimate.floor_z, bins, viterbi, options, context);
+  estimate.baseboard_m = std::abs(second);
+  // The stronger line won the search. When that is the upper one, a floor that was found from the
+  // pictures lies lower; one that was known does not.
+  if (second < 0 && prior_camera_m <= 0) estimate.floor_z += second;
+  return estimate;
 }
 
 std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
@@ -166,6 +203,7 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
     for (size_t h = 0; h < num_heights; ++h) pooled[h] += options.home_weight * home[h];
     const size_t best = ArgMax(pooled);
     const double contrast = room[best] / static_cast<double>(same_room[v].size() + 1);
+    context.log().Debug(fmt::format("ceiling {:.2f} m above the floor, contrast {:.3f}", heights[best], contrast));
     const double level = std::clamp(contrast / options.level_contrast, 0.0, 1.0);
     estimates.push_back({floor.floor_z + PeakPosition(pooled, heights), level});
   }

@@ -62,12 +62,17 @@ LevelPanorama MakeLevelPanorama(const View& view, const ImageU8& picture,
                            static_cast<double>(reduced.rows()) / view.camera.height);
 
   LevelPanorama level{frame_from_cam.translation, ImageU8(rows, width, 3), ImageU8(rows, width)};
+  std::vector<Vector2d> directions;
+  for (int c = 0; c < width; ++c) {
+    const double azimuth = AzimuthOfColumn(c, width);
+    directions.emplace_back(std::cos(azimuth), std::sin(azimuth));
+  }
   for (int r = 0; r < rows; ++r) {
     const double elevation = kPi * (0.5 - (r + 0.5) / rows);
+    const double cos_elevation = std::cos(elevation), sin_elevation = std::sin(elevation);
     for (int c = 0; c < width; ++c) {
-      const double azimuth = AzimuthOfColumn(c, width);
-      const Vector3d ray(std::cos(elevation) * std::cos(azimuth),
-                         std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+      const Vector2d& direction = directions[static_cast<size_t>(c)];
+      const Vector3d ray(cos_elevation * direction.x(), cos_elevation * direction.y(), sin_elevation);
       const std::optional<Vector2d> pixel = view.camera.PixelFromRay(cam_from_frame * ray);
       if (!pixel) continue;
       const bool is_masked =

@@ -39,6 +39,7 @@ class Trellis {
 
   [[nodiscard]] int num_columns() const { return num_columns_; }
   [[nodiscard]] int num_states() const { return num_slots() * bins_.count; }
+  [[nodiscard]] int num_bins() const { return bins_.count; }
   [[nodiscard]] int num_slots() const { return static_cast<int>(families_.size()); }
   [[nodiscard]] int family(int state) const {
     return families_[static_cast<size_t>(state / bins_.count)];
@@ -215,11 +216,14 @@ Anchor MostCertain(const Trellis& trellis, const std::vector<Messages>& messages
   for (int c = 0; c < trellis.num_columns(); ++c) {
     const Messages& m = messages[static_cast<size_t>(c)];
     const int top = static_cast<int>(std::max_element(m.begin(), m.end()) - m.begin());
-    const double top_bin = trellis.DistanceBin(top, trellis.ColumnAzimuth(c));
+    const double azimuth = trellis.ColumnAzimuth(c);
+    const double top_bin = trellis.DistanceBin(top, azimuth);
     float second = kImpossible;
-    for (int s = 0; s < trellis.num_states(); ++s) {
-      if (std::abs(trellis.DistanceBin(s, trellis.ColumnAzimuth(c)) - top_bin) > 3) {
-        second = std::max(second, m[static_cast<size_t>(s)]);
+    for (int slot = 0; slot < trellis.num_slots(); ++slot) {
+      const int first = slot * trellis.num_bins();
+      const double offset = trellis.DistanceBin(first, azimuth) - top_bin;
+      for (int k = 0; k < trellis.num_bins(); ++k) {
+        if (std::abs(k + offset) > 3) second = std::max(second, m[static_cast<size_t>(first + k)]);
       }
     }
     const double margin = m[static_cast<size_t>(top)] - second;
