@@ -181,9 +181,10 @@ class StoreySolver {
     std::vector<KnownDistances> known(works_.size());
     for (size_t i = 0; i < works_.size(); ++i) known[i] = works_[i].path.wall_m;
     ParallelFor(context_, "correlation", static_cast<int64_t>(works_.size()), [&](int64_t i) {
-      const ColumnScores raw = CorrelateStrips(
-          tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)), known, options_.num_columns,
-          kCorrelationColumnStep, kCorrelatedFamilies, bins_, options_.correlation);
+      const ColumnScores raw =
+          CorrelateStrips(tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)),
+                          known, options_.num_columns, kCorrelationColumnStep, kCorrelatedFamilies,
+                          bins_, options_.correlation);
       ColumnScores weighed;
       AddScores(raw, options_.correlation_weight, weighed);
       // A strip is narrow: at 45 degrees it looks much as it does frontally.

@@ -72,7 +72,8 @@ LevelPanorama MakeLevelPanorama(const View& view, const ImageU8& picture,
     const double cos_elevation = std::cos(elevation), sin_elevation = std::sin(elevation);
     for (int c = 0; c < width; ++c) {
       const Vector2d& direction = directions[static_cast<size_t>(c)];
-      const Vector3d ray(cos_elevation * direction.x(), cos_elevation * direction.y(), sin_elevation);
+      const Vector3d ray(cos_elevation * direction.x(), cos_elevation * direction.y(),
+                         sin_elevation);
       const std::optional<Vector2d> pixel = view.camera.PixelFromRay(cam_from_frame * ray);
       if (!pixel) continue;
       const bool is_masked =

@@ -28,18 +28,19 @@ constexpr double kVisibilitySlack_m = 0.15;
 
 int AzimuthIndex(const Vector2d& v) {
   const double turn = std::atan2(v.y(), v.x()) / (2 * kPi) + 0.5;
-  return std::clamp(static_cast<int>(turn * StripTable::kNumAzimuths), 0, StripTable::kNumAzimuths - 1);
+  return std::clamp(static_cast<int>(turn * StripTable::kNumAzimuths), 0,
+                    StripTable::kNumAzimuths - 1);
 }
 
 // The upright lines of a strip on its wall plane.
 struct Strip {
-  std::array<Vector2d, kNumLines> foot;            // in the frame
-  std::array<const uint8_t*, kNumLines> line{};    // grey levels in its own panorama
+  std::array<Vector2d, kNumLines> foot;          // in the frame
+  std::array<const uint8_t*, kNumLines> line{};  // grey levels in its own panorama
   bool is_valid = true;
 };
 
-// Sums over the lines of a strip, one for each height. Correlating what varies along the wall at one
-// height leaves out the change from floor to wall to ceiling, which any hypothesis would share.
+// Sums over the lines of a strip, one for each height. Correlating what varies along the wall at
+// one height leaves out the change from floor to wall to ceiling, which any hypothesis would share.
 struct Moments {
   std::array<int32_t, kHeights> sum_a{}, sum_b{}, sum_aa{}, sum_bb{}, sum_ab{};
 
@@ -72,8 +73,12 @@ class Correlator {
   Correlator(std::span<const StripTable> tables, int self, std::span<const int> others,
              std::span<const KnownDistances> known, const DistanceBins& bins,
              const StripCorrelationOptions& options)
-      : tables_(tables), self_(tables[static_cast<size_t>(self)]), others_(others), known_(known),
-        bins_(bins), options_(options) {}
+      : tables_(tables),
+        self_(tables[static_cast<size_t>(self)]),
+        others_(others),
+        known_(known),
+        bins_(bins),
+        options_(options) {}
 
   [[nodiscard]] float Score(double azimuth, int family, int bin) const {
     const double direction = WallDirection(family, azimuth);
@@ -101,7 +106,8 @@ class Correlator {
     for (int i = -kHalfLines; i <= kHalfLines; ++i) {
       const double a = azimuth + DegToRad(options_.half_width_deg) * i / kHalfLines;
       const double line_incidence = std::sin(a - direction);
-      if (std::abs(line_incidence) < kMinIncidenceSin || line_incidence * incidence < 0) return {{}, {}, false};
+      if (std::abs(line_incidence) < kMinIncidenceSin || line_incidence * incidence < 0)
+        return {{}, {}, false};
       const double r = distance * incidence / line_incidence;
       const Vector2d ray = r * Vector2d(std::cos(a), std::sin(a));
       const double r_bin = bins_.Bin(r) + 0.5;
@@ -113,8 +119,8 @@ class Correlator {
     return strip;
   }
 
-  [[nodiscard]] bool WouldSee(const StripTable& table, const KnownDistances& known, const Strip& strip,
-                              const Vector2d& normal) const {
+  [[nodiscard]] bool WouldSee(const StripTable& table, const KnownDistances& known,
+                              const Strip& strip, const Vector2d& normal) const {
     const Vector2d& center = strip.foot[kHalfLines];
     const Vector2d ray = center - table.position();
     const double range = ray.norm();
@@ -124,17 +130,20 @@ class Correlator {
     if (side * own_side <= 0 || std::abs(side) < kMinIncidenceSin * range) return false;
     if (known.empty()) return true;
     const double turn = std::atan2(ray.y(), ray.x()) / (2 * kPi) + 0.5;
-    const int column = std::clamp(static_cast<int>(turn * static_cast<double>(known.size())), 0, static_cast<int>(known.size()) - 1);
+    const int column = std::clamp(static_cast<int>(turn * static_cast<double>(known.size())), 0,
+                                  static_cast<int>(known.size()) - 1);
     return range <= kVisibilitySlack * known[static_cast<size_t>(column)] + kVisibilitySlack_m;
   }
 
-  [[nodiscard]] bool Compare(const Strip& strip, const StripTable& table, double* correlation) const {
+  [[nodiscard]] bool Compare(const Strip& strip, const StripTable& table,
+                             double* correlation) const {
     Moments moments;
     for (int i = 0; i < kNumLines; ++i) {
       const Vector2d ray = strip.foot[static_cast<size_t>(i)] - table.position();
       const double bin = bins_.Bin(ray.norm()) + 0.5;
       if (bin < 0 || bin >= bins_.count) return false;
-      moments.Add(strip.line[static_cast<size_t>(i)], table.line(AzimuthIndex(ray), static_cast<int>(bin)));
+      moments.Add(strip.line[static_cast<size_t>(i)],
+                  table.line(AzimuthIndex(ray), static_cast<int>(bin)));
     }
     *correlation = moments.Correlation(options_.noise * options_.noise);
     return true;
@@ -178,15 +187,19 @@ ImageF GreyAt(const LevelPanorama& panorama, int cols) {
 
 }  // namespace
 
-StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double top_z, const DistanceBins& bins)
-    : position_(panorama.position.head<2>()), num_bins_(bins.count),
+StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double top_z,
+                       const DistanceBins& bins)
+    : position_(panorama.position.head<2>()),
+      num_bins_(bins.count),
       grey_(static_cast<size_t>(kNumAzimuths) * static_cast<size_t>(bins.count) * kNumHeights) {
   const ImageF grey = GreyAt(panorama, kNumAzimuths);
   std::vector<double> rows(static_cast<size_t>(bins.count) * kNumHeights);
   for (int b = 0; b < bins.count; ++b) {
     for (int i = 0; i < kNumHeights; ++i) {
-      const double z = bottom_z + (top_z - bottom_z) * i / (kNumHeights - 1) - panorama.position.z();
-      rows[static_cast<size_t>(b * kNumHeights + i)] = grey.rows() * (0.5 - std::atan(z / bins.Distance(b)) / kPi);
+      const double z =
+          bottom_z + (top_z - bottom_z) * i / (kNumHeights - 1) - panorama.position.z();
+      rows[static_cast<size_t>(b * kNumHeights + i)] =
+          grey.rows() * (0.5 - std::atan(z / bins.Distance(b)) / kPi);
     }
   }
   for (int a = 0; a < kNumAzimuths; ++a) {
@@ -198,18 +211,20 @@ StripTable::StripTable(const LevelPanorama& panorama, double bottom_z, double to
   }
 }
 
-ColumnScores CorrelateStrips(std::span<const StripTable> tables, int self, std::span<const int> others,
-                             std::span<const KnownDistances> known, int num_columns, int column_step,
-                             std::span<const int> families, const DistanceBins& bins,
-                             const StripCorrelationOptions& options) {
+ColumnScores CorrelateStrips(std::span<const StripTable> tables, int self,
+                             std::span<const int> others, std::span<const KnownDistances> known,
+                             int num_columns, int column_step, std::span<const int> families,
+                             const DistanceBins& bins, const StripCorrelationOptions& options) {
   ENFILADE_CHECK(known.size() == tables.size() && column_step >= 1);
   const Correlator correlator(tables, self, others, known, bins, options);
   ColumnScores scores;
   for (const int family : families) {
     ImageF score(num_columns, bins.count);
     for (int c = 0; c < num_columns; c += column_step) {
-      const double azimuth = AzimuthOfColumn(c, num_columns) + (column_step - 1) * kPi / num_columns;
-      for (int b = 0; b < bins.count; b += kBinStep) score(c, b) = correlator.Score(azimuth, family, b);
+      const double azimuth =
+          AzimuthOfColumn(c, num_columns) + (column_step - 1) * kPi / num_columns;
+      for (int b = 0; b < bins.count; b += kBinStep)
+        score(c, b) = correlator.Score(azimuth, family, b);
       FillBetween(score.row(c), bins.count);
       for (int i = c + 1; i < std::min(c + column_step, num_columns); ++i) {
         std::copy_n(score.row(c), bins.count, score.row(i));

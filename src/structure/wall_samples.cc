@@ -15,7 +15,8 @@ WallSampleSet MakeWallSamples(const Structure& structure, const Scene& scene, in
   for (const WallProfile& profile : structure.profiles) {
     const View& view = scene.views[static_cast<size_t>(profile.view_idx)];
     if (view.storey_idx != storey_idx) continue;
-    const Eigen::Vector2d origin = (structure.home_from_world * view.world_from_cam.translation).head<2>();
+    const Eigen::Vector2d origin =
+        (structure.home_from_world * view.world_from_cam.translation).head<2>();
     const int num_columns = profile.num_columns();
     for (int c = 0; c < num_columns; ++c) {
       const size_t i = static_cast<size_t>(c);

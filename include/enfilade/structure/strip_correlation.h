@@ -27,12 +27,13 @@ struct StripCorrelationOptions {
     v("half_width_deg", half_width_deg, "Half the width of a strip, degrees.", {0.1, 20.0});
     v("below_m", below_m, "How far below the cameras a strip reaches, metres.", {0.0, 3.0});
     v("above_m", above_m, "How far above the cameras a strip reaches, metres.", {0.0, 3.0});
-    v("noise", noise, "Standard deviation of grey levels that carries no information.", {0.0, 50.0});
+    v("noise", noise, "Standard deviation of grey levels that carries no information.",
+      {0.0, 50.0});
   }
 };
 
-/// One panorama prepared for comparison: for every azimuth and every distance of an upright line, the
-/// grey levels along that line at fixed heights.
+/// One panorama prepared for comparison: for every azimuth and every distance of an upright line,
+/// the grey levels along that line at fixed heights.
 class StripTable {
  public:
   static constexpr int kNumAzimuths = 1024;
@@ -40,11 +41,14 @@ class StripTable {
 
   /// The heights run from `bottom_z` to `top_z` in the panorama's frame; the same for all tables
   /// that are compared.
-  StripTable(const LevelPanorama& panorama, double bottom_z, double top_z, const DistanceBins& bins);
+  StripTable(const LevelPanorama& panorama, double bottom_z, double top_z,
+             const DistanceBins& bins);
 
   [[nodiscard]] const Eigen::Vector2d& position() const { return position_; }
   [[nodiscard]] const uint8_t* line(int azimuth, int bin) const {
-    return grey_.data() + (static_cast<size_t>(azimuth) * static_cast<size_t>(num_bins_) + static_cast<size_t>(bin)) * kNumHeights;
+    return grey_.data() + (static_cast<size_t>(azimuth) * static_cast<size_t>(num_bins_) +
+                           static_cast<size_t>(bin)) *
+                              kNumHeights;
   }
 
  private:
@@ -59,9 +63,9 @@ using KnownDistances = std::vector<double>;
 
 /// Correlation of wall strips with other panoramas: for each family, column and distance the wall
 /// plane through that point carries a strip of this panorama into up to max_views others
-/// that would see it; the score is the mean of the normalised cross-correlations of what varies along the
-/// wall at each height, shrunk where the strip has less contrast than the noise. Families of `families`; columns computed every `column_step`
-/// and repeated between.
+/// that would see it; the score is the mean of the normalised cross-correlations of what varies
+/// along the wall at each height, shrunk where the strip has less contrast than the noise. Families
+/// of `families`; columns computed every `column_step` and repeated between.
 ///
 /// `others` are indices into `tables` sorted by preference (nearest first); `known` has one entry a
 /// table.

@@ -8,9 +8,9 @@
 
 namespace enfilade {
 
-/// The wall profiles of one storey as samples for the evidence grids, in the plan of the home frame:
-/// one a seen column, in the order of the views. Every sample carries the distribution of its wall's
-/// distance, not only the best one.
+/// The wall profiles of one storey as samples for the evidence grids, in the plan of the home
+/// frame: one a seen column, in the order of the views. Every sample carries the distribution of
+/// its wall's distance, not only the best one.
 [[nodiscard]] WallSampleSet MakeWallSamples(const Structure& structure, const Scene& scene,
                                             int storey_idx);
 
