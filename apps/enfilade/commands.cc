@@ -8,6 +8,15 @@ namespace enfilade {
 
 std::span<const Command> Commands() {
   static constexpr std::array kCommands = {
+      Command{"run", "Do everything: from pictures to plan and model; continue where it was",
+              SetupRun},
+      Command{"sfm", "Read pictures and poses into a scene", SetupSfm},
+      Command{"structure", "Find directions, heights and wall profiles", SetupStructure},
+      Command{"evidence", "Gather wall and free-space evidence", SetupEvidence},
+      Command{"floorplan", "Draw the rooms", SetupFloorplan},
+      Command{"model", "Raise the plan to a model", SetupModel},
+      Command{"export", "Write the drawings", SetupExport},
+      Command{"evaluate", "Judge a result against the truth", SetupEvaluate},
       Command{"doctor", "Check memory, disk, pictures and helpers before starting", SetupDoctor},
       Command{"config", "List every option of every stage", SetupConfig},
       Command{"version", "Print the version", SetupVersion},

@@ -18,7 +18,9 @@ TEST(CommandLine, AlonePrintsTheCommandsInFlowOrder) {
   const ProgramResult result = RunProgram({});
   EXPECT_EQ(result.exit_code, 0);
   size_t last = 0;
-  for (const std::string command : {"\n  doctor", "\n  config", "\n  version"}) {
+  for (const std::string command :
+       {"\n  run", "\n  sfm", "\n  structure", "\n  evidence", "\n  floorplan", "\n  model",
+        "\n  export", "\n  evaluate", "\n  doctor", "\n  config", "\n  version"}) {
     const size_t at = result.out.find(command);
     ASSERT_NE(at, std::string::npos) << command << result.out;
     EXPECT_GT(at, last) << command;

@@ -10,7 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -82,10 +81,13 @@ ProgramResult RunProgram(const std::vector<std::string>& arguments,
 
 void ExpectRefusal(const ProgramResult& result, const std::string& text) {
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, testing::StartsWith("error: "));
-  EXPECT_THAT(result.err, testing::HasSubstr(text));
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_EQ(result.out, "");
+  const size_t start = result.err.rfind("error: ");
+  ASSERT_NE(start, std::string::npos) << result.err;
+  EXPECT_TRUE(start == 0 || result.err[start - 1] == '\n') << result.err;
+  EXPECT_EQ(result.err.find('\n', start), result.err.size() - 1) << result.err;
+  EXPECT_THAT(result.err.substr(start), testing::HasSubstr(text));
+  EXPECT_EQ(result.err.find("error: "), start) << result.err;
 }
 
 }  // namespace enfilade

@@ -28,8 +28,8 @@ struct ProgramResult {
 [[nodiscard]] ProgramResult RunProgram(const std::vector<std::string>& arguments,
                                        const ProgramConditions& conditions = {});
 
-/// Expects what every refusal must be: the exit code 1 and one line on standard error that starts
-/// with "error: " and contains `text`, nothing on standard output.
+/// Expects what every refusal must be: the exit code 1, nothing on standard output, and as the last
+/// thing on standard error one line that starts with "error: " and contains `text`.
 void ExpectRefusal(const ProgramResult& result, const std::string& text);
 
 }  // namespace enfilade

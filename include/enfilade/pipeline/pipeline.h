@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "enfilade/base/run_context.h"
+#include "enfilade/pipeline/options.h"
+#include "enfilade/pipeline/stage.h"
+#include "enfilade/pipeline/workspace.h"
+
+namespace enfilade {
+
+/// The stages in flow order: sfm, structure, evidence, floorplan, model, export.
+[[nodiscard]] std::span<const std::string_view> StageNames();
+
+/// Everything from a folder of pictures to the stage called `last_stage`, all files in `workspace`.
+/// Stages whose results stand are skipped (see RunStages), so an interrupted run continues where it
+/// was.
+///
+/// Nothing is written when the input is refused. Throws InvalidInputError, IoError, StoppedError.
+[[nodiscard]] StageResult RunPipeline(const std::filesystem::path& input,
+                                      const Workspace& workspace, const PipelineOptions& options,
+                                      std::string_view last_stage, RunContext& context);
+
+/// One stage after sfm again, from what the earlier ones left in `workspace`. Removes the results
+/// of later stages. Throws InvalidInputError when the stage before has no result there.
+[[nodiscard]] StageResult RunSingleStage(const Workspace& workspace, const PipelineOptions& options,
+                                         std::string_view stage, RunContext& context);
+
+}  // namespace enfilade

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/pipeline/flow.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "enfilade/base/errors.h"
+#include "enfilade/base/hash.h"
+#include "enfilade/evidence/accumulate.h"
+#include "enfilade/evidence/core.h"
+#include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/exchange/gltf_writer.h"
+#include "enfilade/exchange/obj_writer.h"
+#include "enfilade/exchange/plan_svg.h"
+#include "enfilade/exchange/scene_json.h"
+#include "enfilade/floorplan/solve.h"
+#include "enfilade/model/extrude.h"
+#include "enfilade/model/texture.h"
+#include "enfilade/pipeline/evidence_file.h"
+#include "enfilade/pipeline/pipeline.h"
+#include "enfilade/pipeline/structure_file.h"
+#include "enfilade/structure/analyze.h"
+#include "enfilade/structure/wall_samples.h"
+#include "src/pipeline/scene_hash.h"
+
+namespace enfilade {
+namespace {
+
+using Json = nlohmann::json;
+
+StageResult NoResult(const std::string& reason) { return {StageOutcome::kNoResult, reason}; }
+
+// The scene for a stage that looks at its pictures, which must still be those that sfm saw.
+Scene LoadSceneWithPictures(const Workspace& workspace) {
+  Scene scene = ReadSceneJson(workspace.scene_file());
+  for (const View& view : scene.views) {
+    if (Sha256OfFile(view.path) != view.sha256) {
+      throw InvalidInputError(view.path.native(), "has changed since it was read",
+                              "run 'enfilade run' or 'enfilade sfm' again");
+    }
+  }
+  return scene;
+}
+
+StageResult FindStructure(const Workspace& workspace, const PipelineOptions& options,
+                          RunContext& context) {
+  const Scene scene = LoadSceneWithPictures(workspace);
+  const StructureReport report = AnalyzeStructure(scene, options.structure, context);
+  WriteStructure(workspace.structure_folder(), report.structure);
+  return {};
+}
+
+// The scene's points in the home frame that lie between the storey's floor and ceiling.
+EvidencePoints PointsOfStorey(const Scene& scene, const Structure& structure, size_t storey_idx) {
+  const StoreyStructure& storey = structure.storeys[storey_idx];
+  EvidencePoints points{.points = {},
+                        .camera_positions = {},
+                        .floor_z = storey.floor_z,
+                        .ceiling_z = storey.ceiling_z};
+  for (const View& view : scene.views) {
+    points.camera_positions.push_back(structure.home_from_world * view.world_from_cam.translation);
+  }
+  for (ScenePoint point : scene.points) {
+    point.position = structure.home_from_world * point.position;
+    point.normal = structure.home_from_world.rotation * point.normal;
+    const bool is_in_storey =
+        point.position.z() > storey.floor_z && point.position.z() < storey.ceiling_z;
+    if (is_in_storey) points.points.push_back(std::move(point));
+  }
+  return points;
+}
+
+StageResult GatherEvidence(const Workspace& workspace, const PipelineOptions& options,
+                           RunContext& context) {
+  const Scene scene = ReadSceneJson(workspace.scene_file());
+  const Structure structure = ReadStructure(workspace.structure_folder());
+  std::vector<EvidenceGrids> storeys;
+  int num_cores = 0;
+  for (size_t i = 0; i < structure.storeys.size(); ++i) {
+    const WallSampleSet samples = MakeWallSamples(structure, scene, static_cast<int>(i));
+    EvidenceReport report = AccumulateEvidence(samples, PointsOfStorey(scene, structure, i),
+                                               options.evidence.grid, context);
+    if (report.outcome != EvidenceOutcome::kDone) return NoResult(report.reason);
+    CoreReport core = FindCore(report.grids, options.evidence.core, context);
+    report.grids.core = std::move(core.core);
+    report.grids.num_cores = core.num_cores;
+    num_cores += core.num_cores;
+    storeys.push_back(std::move(report.grids));
+  }
+  WriteEvidence(workspace.evidence_folder(), storeys);
+  return num_cores > 0 ? StageResult{} : NoResult("no panorama stands in clear free space");
+}
+
+// What the plan came from: the version and the options of the stages up to here, as their records
+// tell, without paths.
+Json Provenance(const Workspace& workspace) {
+  const Manifest manifest = ReadManifest(workspace.manifest_file());
+  PipelineOptions options;
+  for (const StageRecord& record : manifest.stages) {
+    for (const auto& [path, value] : record.options) {
+      SetOption(VisitorOf(options), record.name + "." + path, value, "manifest.json");
+    }
+  }
+  Json json = OptionsToJson(VisitorOf(options));
+  for (const char* later_stage : {"model", "export"}) json.erase(later_stage);
+  for (const char* path : {"poses", "mask"}) json["sfm"].erase(path);
+  return {{"version", Version()}, {"seed", manifest.seed}, {"options", std::move(json)}};
+}
+
+StageResult DrawFloorplan(const Workspace& workspace, const PipelineOptions& options,
+                          RunContext& context) {
+  const Scene scene = ReadSceneJson(workspace.scene_file());
+  const Structure structure = ReadStructure(workspace.structure_folder());
+  const FloorplanReport report = SolveFloorplan(
+      scene, structure, ReadEvidence(workspace.evidence_folder()), options.floorplan, context);
+  if (report.outcome != FloorplanOutcome::kFound) return NoResult(report.reason);
+  if (!report.reason.empty()) context.log().Warning(report.reason);
+  WriteFloorplanJson(workspace.floorplan_file(), report.plan, Provenance(workspace));
+  return {};
+}
+
+StageResult BuildModel(const Workspace& workspace, const PipelineOptions& options,
+                       RunContext& context) {
+  const Scene scene = LoadSceneWithPictures(workspace);
+  const Floorplan plan = ReadFloorplanJson(workspace.floorplan_file());
+  const TextureResult textured =
+      TextureModel(scene, plan, ExtrudeFloorplan(plan), options.model, context);
+  WriteObj(workspace.model_obj_file(), textured.model);
+  WriteGlb(workspace.model_glb_file(), textured.model, plan, Version());
+  return {};
+}
+
+StageResult ExportPlan(const Workspace& workspace, const PipelineOptions& options,
+                       RunContext& /*context*/) {
+  WritePlanSvg(workspace.plan_svg_file(), ReadFloorplanJson(workspace.floorplan_file()),
+               options.exporting.svg);
+  return {};
+}
+
+}  // namespace
+
+std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
+                              PipelineOptions& options) {
+  using Body = StageResult (*)(const Workspace&, const PipelineOptions&, RunContext&);
+  const auto run = [&workspace, &options](Body body) {
+    return [&workspace, &options, body](RunContext& context) {
+      return body(workspace, options, context);
+    };
+  };
+  const auto store_scene = [&workspace, scene](RunContext&) {
+    WriteSceneJson(workspace.scene_file(), *scene);
+    return StageResult{};
+  };
+  return {
+      {"sfm",
+       {"scene.json"},
+       VisitorOf(options.sfm),
+       scene != nullptr ? SceneHash(*scene) : "",
+       store_scene,
+       true},
+      {"structure", {"structure"}, VisitorOf(options.structure), "", run(FindStructure)},
+      {"evidence", {"evidence"}, VisitorOf(options.evidence), "", run(GatherEvidence)},
+      {"floorplan", {"floorplan.json"}, VisitorOf(options.floorplan), "", run(DrawFloorplan)},
+      {"model",
+       {"model.glb", "model.obj", "model.mtl", "textures"},
+       VisitorOf(options.model),
+       "",
+       run(BuildModel)},
+      {"export", {"plan.svg"}, VisitorOf(options.exporting), "", run(ExportPlan)},
+  };
+}
+
+std::span<const std::string_view> StageNames() {
+  static constexpr std::array<std::string_view, 6> kNames = {"sfm",       "structure", "evidence",
+                                                             "floorplan", "model",     "export"};
+  return kNames;
+}
+
+}  // namespace enfilade
