@@ -191,42 +191,39 @@ bool ContainsPoint(const Surface& surface, const Vector2f& p) {
       });
 }
 
-// Whether light can reach the cell's centre: not in a hole, inside a thing or under one that lies
-// on it.
+// Whether light can reach the cell's centre: not in a hole, inside a thing or covered by one within
+// `cover_m`.
 bool IsOpen(const std::vector<Surface>& surfaces, const RayScene& scene, const Surface& surface,
-            const Vector2f& uv) {
+            const Vector2f& uv, float cover_m) {
   if (!ContainsPoint(surface, uv)) return false;
   const std::optional<RayHit> hit =
       scene.Trace(surface.Point(uv.x(), uv.y()) + kLift_m * surface.normal, surface.normal);
   if (!hit) return true;
   const bool is_from_inside =
       surfaces[static_cast<size_t>(hit->surface_idx)].normal.dot(surface.normal) > 0;
-  return !is_from_inside && hit->distance_m > kCoveredWithin_m;
+  return !is_from_inside && hit->distance_m > cover_m;
 }
 
 // Gives closed cells the mean of their filled neighbours, ring by ring.
 void FillClosedCells(LightGrid& grid, std::vector<char>& is_filled) {
-  const auto index = [&](int r, int c) {
-    return static_cast<size_t>(r) * static_cast<size_t>(grid.cols) + static_cast<size_t>(c);
-  };
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     const std::vector<char> before = is_filled;
     for (int r = 0; r < grid.rows; ++r) {
       for (int c = 0; c < grid.cols; ++c) {
-        if (before[index(r, c)] != 0) continue;
+        if (before[grid.Index(r, c)] != 0) continue;
         Vector3f sum(0, 0, 0);
         float count = 0;
         for (int y = std::max(r - 1, 0); y <= std::min(r + 1, grid.rows - 1); ++y) {
           for (int x = std::max(c - 1, 0); x <= std::min(c + 1, grid.cols - 1); ++x) {
-            if (before[index(y, x)] == 0) continue;
+            if (before[grid.Index(y, x)] == 0) continue;
             sum += grid.At(y, x);
             ++count;
           }
         }
         if (count == 0) continue;
         grid.At(r, c) = sum / count;
-        is_filled[index(r, c)] = 1;
+        is_filled[grid.Index(r, c)] = 1;
         has_changed = true;
       }
     }
@@ -251,23 +248,37 @@ void Smooth(LightGrid& grid) {
   }
 }
 
-// Fills every open cell of a grid by `irradiance(point, random)`.
+// Which cells of a grid light can reach. Where everything is covered closely, as in the gap behind
+// a door's hinges, the gaps count as open.
+std::vector<char> FindOpenCells(const std::vector<Surface>& surfaces, const RayScene& scene,
+                                const Surface& surface, const LightGrid& grid) {
+  std::vector<char> is_open(grid.irradiance.size(), 0);
+  for (const float cover_m : {kCoveredWithin_m, 0.0f}) {
+    bool is_any_open = false;
+    for (int r = 0; r < grid.rows; ++r) {
+      for (int c = 0; c < grid.cols; ++c) {
+        if (!IsOpen(surfaces, scene, surface, grid.Center(r, c), cover_m)) continue;
+        is_open[grid.Index(r, c)] = 1;
+        is_any_open = true;
+      }
+    }
+    if (is_any_open) break;
+  }
+  return is_open;
+}
+
+// Sets every open cell of a grid to `irradiance(point)` and the others to their neighbours' mean.
 template <typename F>
-void FillGrid(const std::vector<Surface>& surfaces, const RayScene& scene, const Surface& surface,
-              uint64_t seed, const F& irradiance, LightGrid& grid) {
-  Random random(seed);
-  std::vector<char> is_filled(grid.irradiance.size(), 0);
+void FillGrid(const Surface& surface, std::vector<char> is_open, const F& irradiance,
+              LightGrid& grid) {
   for (int r = 0; r < grid.rows; ++r) {
     for (int c = 0; c < grid.cols; ++c) {
+      if (is_open[grid.Index(r, c)] == 0) continue;
       const Vector2f uv = grid.Center(r, c);
-      if (!IsOpen(surfaces, scene, surface, uv)) continue;
-      grid.At(r, c) =
-          irradiance(Vector3f(surface.Point(uv.x(), uv.y()) + kLift_m * surface.normal), random);
-      is_filled[static_cast<size_t>(r) * static_cast<size_t>(grid.cols) + static_cast<size_t>(c)] =
-          1;
+      grid.At(r, c) = irradiance(surface.Point(uv.x(), uv.y()) + kLift_m * surface.normal);
     }
   }
-  FillClosedCells(grid, is_filled);
+  FillClosedCells(grid, is_open);
 }
 
 }  // namespace
@@ -306,27 +317,26 @@ BakedLight BakeLight(const Home& home, const std::vector<Surface>& surfaces, con
   ParallelFor(context, "direct light", num_surfaces, [&](int64_t i) {
     const auto idx = static_cast<size_t>(i);
     const Surface& surface = surfaces[idx];
+    LightGrid& grid = light.direct[idx];
     const std::vector<AreaLight> near = LightsFor(home, lights, surface.room_id);
-    FillGrid(
-        surfaces, scene, surface, PartSeed(home.seed, static_cast<uint64_t>(i)),
-        [&](const Vector3f& point, Random&) {
-          return DirectIrradiance(near, scene, point, surface.normal);
-        },
-        light.direct[idx]);
-    Smooth(light.direct[idx]);
+    const auto irradiance = [&](const Vector3f& point) {
+      return DirectIrradiance(near, scene, point, surface.normal);
+    };
+    FillGrid(surface, FindOpenCells(surfaces, scene, surface, grid), irradiance, grid);
+    Smooth(grid);
   });
   for (int bounce = 0; bounce < options.bounces; ++bounce) {
     std::vector<LightGrid> next = light.reflected;
     ParallelFor(context, "reflected light", num_surfaces, [&](int64_t i) {
-      const Surface& surface = surfaces[static_cast<size_t>(i)];
-      FillGrid(
-          surfaces, scene, surface, PartSeed(home.seed + 1, static_cast<uint64_t>(i)),
-          [&](const Vector3f& point, Random& random) {
-            return GatheredIrradiance(surfaces, scene, light, surface, point, options.gather_rays,
-                                      random);
-          },
-          next[static_cast<size_t>(i)]);
-      for (int k = 0; k < kSmoothings; ++k) Smooth(next[static_cast<size_t>(i)]);
+      const auto idx = static_cast<size_t>(i);
+      const Surface& surface = surfaces[idx];
+      Random random(PartSeed(home.seed, static_cast<uint64_t>(i)));
+      const auto irradiance = [&](const Vector3f& point) {
+        return GatheredIrradiance(surfaces, scene, light, surface, point, options.gather_rays,
+                                  random);
+      };
+      FillGrid(surface, FindOpenCells(surfaces, scene, surface, next[idx]), irradiance, next[idx]);
+      for (int k = 0; k < kSmoothings; ++k) Smooth(next[idx]);
     });
     light.reflected = std::move(next);
   }

@@ -21,12 +21,12 @@ struct LightGrid {
     return {(static_cast<float>(col) + 0.5f) * cell.x(),
             (static_cast<float>(row) + 0.5f) * cell.y()};
   }
-  [[nodiscard]] Eigen::Vector3f& At(int row, int col) {
-    return irradiance[static_cast<size_t>(row) * static_cast<size_t>(cols) +
-                      static_cast<size_t>(col)];
+  [[nodiscard]] size_t Index(int row, int col) const {
+    return static_cast<size_t>(row) * static_cast<size_t>(cols) + static_cast<size_t>(col);
   }
+  [[nodiscard]] Eigen::Vector3f& At(int row, int col) { return irradiance[Index(row, col)]; }
   [[nodiscard]] const Eigen::Vector3f& At(int row, int col) const {
-    return const_cast<LightGrid*>(this)->At(row, col);
+    return irradiance[Index(row, col)];
   }
   /// Bilinear, clamped at the border.
   [[nodiscard]] Eigen::Vector3f Sample(float u, float v) const;

@@ -37,7 +37,7 @@ void AddLevel(const HomeRoom& room, bool is_floor, SurfaceList& list) {
   surface.triangles = triangulation.triangles;
   surface.finish = is_floor ? room.floor_finish : Finish::kPaint;
   surface.rgb = is_floor ? room.floor_rgb : Vector3f(kCeilingWhite.data());
-  surface.gloss = !is_floor || room.floor_finish == Finish::kCarpet ? 0.0f : 0.7f;
+  surface.gloss = !is_floor || room.floor_finish == Finish::kCarpet ? 0.0f : 0.5f;
   surface.label = is_floor ? SurfaceLabel::kFloor : SurfaceLabel::kCeiling;
   surface.room_id = room.id;
   list.Add(std::move(surface));

@@ -65,7 +65,7 @@ struct LitHome;  // surfaces, tree and light: private to the renderer
 /// options and size give the same bytes for any number of threads.
 class HomeRenderer {
  public:
-  /// Builds the scene and bakes the light: about 3 s of one core for a flat. `home` is copied.
+  /// Builds the scene and bakes the light: about 7 s of one core for a flat. `home` is copied.
   /// Throws InvalidInputError for options out of range, DependencyError when Embree fails.
   HomeRenderer(const Home& home, const RenderOptions& options, RunContext& context);
   ~HomeRenderer();
