@@ -34,8 +34,6 @@ TEST(GroundTruthReaderReal, TheTourHasTheRoomsAndAreasOfTheProtocol) {
   EXPECT_EQ(truth.rooms.size(), 15U);
   EXPECT_EQ(truth.views.size(), 32U);
   const MultiPolygon2 net = UnionOfRooms(truth);
-  // The protocol's 144.0 and 151.3 m² were counted on a grid of 1 cm with its border cells, which
-  // adds half a cell along the 166 m of outline; these are the polygons' own areas.
   EXPECT_NEAR(Area(net), 143.12, 0.01);
   EXPECT_NEAR(Area(CloseRegion(net, 0.3, 1.0)), 151.04, 0.05);
   EXPECT_EQ(std::count_if(truth.views.begin(), truth.views.end(),
