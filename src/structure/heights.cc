@@ -14,8 +14,13 @@ namespace {
 
 // Weight of one squared standard deviation of the camera's height, mean response.
 constexpr double kPriorWeight = 0.01;
+// The last search for the floor's height.
+constexpr double kRefineReach_m = 0.06;
+constexpr double kRefineStep_m = 0.01;
 constexpr double kBaseboardStep_m = 0.01;
 constexpr double kMinBaseboard_m = 0.035;
+// Only near walls resolve the two lines.
+constexpr double kBaseboardReach_m = 2.2;
 // One side of the floor line's lobe must exceed the other by this share of its rise.
 constexpr double kMinShoulder = 0.15;
 
@@ -46,16 +51,33 @@ double Median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Mean over the views of the path score of each floor height, with the log prior on the camera height.
-std::vector<double> ScoreFloors(std::span<const HeightView> views, const std::vector<double>& floors,
+size_t ArgMax(const std::vector<double>& values) {
+  return static_cast<size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+// Position of the maximum of a sampled curve, refined by a parabola.
+double PeakPosition(const std::vector<double>& curve, const std::vector<double>& x) {
+  const size_t i = ArgMax(curve);
+  if (i == 0 || i + 1 == curve.size()) return x[i];
+  const double curvature = curve[i - 1] - 2 * curve[i] + curve[i + 1];
+  if (curvature >= 0) return x[i];
+  return x[i] +
+         (x[i + 1] - x[i]) * std::clamp(0.5 * (curve[i - 1] - curve[i + 1]) / curvature, -0.5, 0.5);
+}
+
+// Mean over the views of the path score of each floor height, with the log prior on the camera
+// height.
+std::vector<double> ScoreFloors(std::span<const HeightView> views,
+                                const std::vector<double>& floors, double baseboard_m,
                                 double prior_camera_m, const DistanceBins& bins,
                                 const PlaneViterbiOptions& viterbi, const HeightOptions& options,
                                 RunContext& context) {
   const int64_t num_views = static_cast<int64_t>(views.size());
   std::vector<double> scores(floors.size() * views.size());
   ParallelFor(context, "floor height", static_cast<int64_t>(scores.size()), [&](int64_t i) {
-    scores[static_cast<size_t>(i)] = PathScore(views[static_cast<size_t>(i % num_views)],
-                                               floors[static_cast<size_t>(i / num_views)], 0, nullptr, bins, viterbi);
+    scores[static_cast<size_t>(i)] =
+        PathScore(views[static_cast<size_t>(i % num_views)],
+                  floors[static_cast<size_t>(i / num_views)], baseboard_m, nullptr, bins, viterbi);
   });
   const double median_z = MedianCameraZ(views);
   std::vector<double> means;
@@ -72,7 +94,8 @@ std::vector<double> ScoreFloors(std::span<const HeightView> views, const std::ve
   return means;
 }
 
-// Mean response, along the walls that a single floor line finds, at each height about that line.
+// Mean response, along the near walls that a single floor line finds, at each height about that
+// line.
 std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double floor_z,
                                        const std::vector<double>& heights, const DistanceBins& bins,
                                        const PlaneViterbiOptions& viterbi, RunContext& context) {
@@ -83,10 +106,13 @@ std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double
     AddScores(*view.correlation, 1.0, scores);
     const WallPath path = FindWallPath(scores, bins, viterbi, false);
     for (size_t h = 0; h < heights.size(); ++h) {
-      const ColumnScores line = ScoreLine(*view.response, view.camera_z - floor_z - heights[h], bins);
+      const ColumnScores line =
+          ScoreLine(*view.response, view.camera_z - floor_z - heights[h], bins);
       double sum = 0;
       for (size_t c = 0; c < path.wall_m.size(); ++c) {
-        const int bin = std::clamp(static_cast<int>(std::lround(bins.Bin(path.wall_m[c]))), 0, bins.count - 1);
+        if (path.wall_m[c] > kBaseboardReach_m) continue;
+        const int bin =
+            std::clamp(static_cast<int>(std::lround(bins.Bin(path.wall_m[c]))), 0, bins.count - 1);
         sum += line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin);
       }
       profiles[static_cast<size_t>(i)][h] = sum / static_cast<double>(path.wall_m.size());
@@ -94,33 +120,37 @@ std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double
   });
   std::vector<double> mean(heights.size());
   for (const std::vector<double>& profile : profiles) {
-    for (size_t h = 0; h < heights.size(); ++h) mean[h] += profile[h] / static_cast<double>(views.size());
+    for (size_t h = 0; h < heights.size(); ++h)
+      mean[h] += profile[h] / static_cast<double>(views.size());
   }
   return mean;
 }
 
-// Height of a second line about the floor line, 0 when there is none. At the resolution of a picture the
-// second line is a shoulder of the first one's lobe, so the two sides of the lobe are compared.
+// Height of a second line about the floor line, 0 when there is none. At the resolution of a
+// picture the second line is a shoulder of the first one's lobe, so the two sides of the lobe are
+// compared.
 double FindSecondLine(std::span<const HeightView> views, double floor_z, const DistanceBins& bins,
-                      const PlaneViterbiOptions& viterbi, const HeightOptions& options, RunContext& context) {
+                      const PlaneViterbiOptions& viterbi, const HeightOptions& options,
+                      RunContext& context) {
   const int reach = static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m));
   std::vector<double> heights;
   for (int i = -reach; i <= reach; ++i) heights.push_back(i * kBaseboardStep_m);
-  const std::vector<double> response = ResponseAboutFloor(views, floor_z, heights, bins, viterbi, context);
+  const std::vector<double> response =
+      ResponseAboutFloor(views, floor_z, heights, bins, viterbi, context);
   const double rise = *std::max_element(response.begin(), response.end()) -
                       *std::min_element(response.begin(), response.end());
-  double best_excess = kMinShoulder * rise, best = 0;
+  std::vector<double> excess, height;
   for (int i = static_cast<int>(std::ceil(kMinBaseboard_m / kBaseboardStep_m)); i <= reach; ++i) {
-    const double above = response[static_cast<size_t>(reach + i)], below = response[static_cast<size_t>(reach - i)];
-    if (std::abs(above - below) <= best_excess) continue;
-    best_excess = std::abs(above - below);
-    best = (above > below ? i : -i) * kBaseboardStep_m;
+    excess.push_back(response[static_cast<size_t>(reach + i)] -
+                     response[static_cast<size_t>(reach - i)]);
+    height.push_back(i * kBaseboardStep_m);
   }
-  return best;
-}
-
-size_t ArgMax(const std::vector<double>& values) {
-  return static_cast<size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  const auto [lowest, highest] = std::minmax_element(excess.begin(), excess.end());
+  const bool is_above = *highest > -*lowest;
+  if (std::max(*highest, -*lowest) <= kMinShoulder * rise) return 0;
+  for (double& value : excess) value = is_above ? value : -value;
+  const double peak = PeakPosition(excess, height);
+  return is_above ? peak : -peak;
 }
 
 // Ceiling heights above the floor that are tried.
@@ -129,16 +159,6 @@ std::vector<double> CeilingCandidates(const HeightOptions& options) {
   for (double h = options.min_room_m; h <= options.max_room_m; h += options.step_m)
     heights.push_back(h);
   return heights;
-}
-
-// Position of the maximum of a sampled curve, refined by a parabola.
-double PeakPosition(const std::vector<double>& curve, const std::vector<double>& x) {
-  const size_t i = ArgMax(curve);
-  if (i == 0 || i + 1 == curve.size()) return x[i];
-  const double curvature = curve[i - 1] - 2 * curve[i] + curve[i + 1];
-  if (curvature >= 0) return x[i];
-  return x[i] +
-         (x[i + 1] - x[i]) * std::clamp(0.5 * (curve[i - 1] - curve[i + 1]) / curvature, -0.5, 0.5);
 }
 
 }  // namespace
@@ -153,14 +173,26 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
   const double high = prior_camera_m > 0 ? prior_camera_m + reach : options.max_camera_m;
   std::vector<double> floors;
   for (double h = low; h <= high + 1e-9; h += options.step_m) floors.push_back(median_z - h);
-  const std::vector<double> scores = ScoreFloors(views, floors, prior_camera_m, bins, viterbi, options, context);
+  const std::vector<double> scores =
+      ScoreFloors(views, floors, 0, prior_camera_m, bins, viterbi, options, context);
   FloorEstimate estimate{PeakPosition(scores, floors), 0, scores[ArgMax(scores)] - Median(scores)};
 
   const double second = FindSecondLine(views, estimate.floor_z, bins, viterbi, options, context);
   estimate.baseboard_m = std::abs(second);
   // The stronger line won the search. When that is the upper one, a floor that was found from the
-  // pictures lies lower; one that was known does not.
+  // pictures lies lower. One that was known does not: then the walls were too far, and the lower
+  // line seemed to lie deeper than it does.
   if (second < 0 && prior_camera_m <= 0) estimate.floor_z += second;
+  if (second < 0 && prior_camera_m > 0) estimate.baseboard_m /= 1 - second / prior_camera_m;
+
+  // Once both lines are known, their height where they agree best with the correlation.
+  floors.clear();
+  for (double offset = -kRefineReach_m; offset <= kRefineReach_m + 1e-9; offset += kRefineStep_m) {
+    floors.push_back(estimate.floor_z + offset);
+  }
+  const std::vector<double> refined = ScoreFloors(views, floors, estimate.baseboard_m,
+                                                  prior_camera_m, bins, viterbi, options, context);
+  estimate.floor_z = PeakPosition(refined, floors);
   return estimate;
 }
 
@@ -203,7 +235,8 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
     for (size_t h = 0; h < num_heights; ++h) pooled[h] += options.home_weight * home[h];
     const size_t best = ArgMax(pooled);
     const double contrast = room[best] / static_cast<double>(same_room[v].size() + 1);
-    context.log().Debug(fmt::format("ceiling {:.2f} m above the floor, contrast {:.3f}", heights[best], contrast));
+    context.log().Debug(
+        fmt::format("ceiling {:.2f} m above the floor, contrast {:.3f}", heights[best], contrast));
     const double level = std::clamp(contrast / options.level_contrast, 0.0, 1.0);
     estimates.push_back({floor.floor_z + PeakPosition(pooled, heights), level});
   }
