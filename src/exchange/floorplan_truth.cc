@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "enfilade/base/hash.h"
 #include "enfilade/exchange/floorplan_json.h"
+#include "src/exchange/picture_files.h"
 #include "src/exchange/truth_sources.h"
 
 namespace enfilade {
@@ -14,6 +16,7 @@ using Eigen::Vector2d;
 // An opening stands on its wall's face up to the rounding of the file; the other face of the wall
 // is cut by the same opening moved through the wall.
 constexpr double kOpeningToWall_m = 0.05;
+constexpr double kMaxThickness_m = 1.0;
 
 // An opening with its wall: where it cuts the two faces.
 struct Cut {
@@ -27,6 +30,19 @@ TruthSegment Moved(const TruthSegment& segment, const Vector2d& by) {
   return {segment[0] + by, segment[1] + by};
 }
 
+// How far the face of the room behind an opening lies from its own: by that room's outline, as a
+// wall may be thicker behind one part of its face than behind another; else by the wall.
+double DistanceThrough(const Storey& storey, const Opening& opening, const Wall& wall,
+                       const Vector2d& outward) {
+  const Vector2d middle = 0.5 * (opening.a + opening.b);
+  for (const Room& room : storey.rooms) {
+    if (opening.other_room_id != room.id) continue;
+    const double distance = RayDistance(room.polygon.outer, middle, outward);
+    if (distance <= kMaxThickness_m) return distance;
+  }
+  return wall.thickness_m;
+}
+
 std::vector<Cut> CutsOf(const Storey& storey) {
   std::vector<Cut> cuts;
   for (const Opening& opening : storey.openings) {
@@ -34,8 +50,10 @@ std::vector<Cut> CutsOf(const Storey& storey) {
                                    [&](const Wall& w) { return w.id == opening.wall_id; });
     Vector2d through = Vector2d::Zero();
     if (wall != storey.walls.end() && (wall->b - wall->a).norm() > 0) {
-      const Vector2d along = (wall->b - wall->a).normalized();  // the room is on the left
-      through = wall->thickness_m * Vector2d(along.y(), -along.x());
+      const Vector2d along = (wall->b - wall->a).normalized();
+      Vector2d outward(along.y(), -along.x());  // the first room is on the left
+      if (opening.room_id != wall->room_id) outward = -outward;
+      through = DistanceThrough(storey, opening, *wall, outward) * outward;
     }
     const TruthSegment near{opening.a, opening.b};
     cuts.push_back(
@@ -87,11 +105,12 @@ void AppendRoom(const Room& room, int storey_idx, const std::vector<Cut>& cuts,
   truth.rooms.push_back(std::move(made));
 }
 
-TruthView MakeView(const PlanCamera& camera, const Storey& storey, const std::vector<Cut>& cuts,
-                   const Rigid3& home_from_world, const HomeToWorld& to_world) {
+TruthView MakeView(const PlanCamera& camera, const std::string& sha256, const Storey& storey,
+                   const std::vector<Cut>& cuts, const Rigid3& home_from_world,
+                   const HomeToWorld& to_world) {
   TruthView view;
   view.picture = camera.picture;
-  view.sha256 = camera.sha256;
+  view.sha256 = sha256;
   view.storey_idx = camera.storey_idx;
   view.world_from_cam = camera.world_from_cam;
   const Eigen::Vector3d in_home = home_from_world * camera.world_from_cam.translation;
@@ -112,10 +131,19 @@ TruthView MakeView(const PlanCamera& camera, const Storey& storey, const std::ve
   return view;
 }
 
+std::string HashOf(const PlanCamera& camera, const PictureFiles& files,
+                   const std::filesystem::path& folder) {
+  if (!camera.sha256.empty()) return camera.sha256;
+  const std::filesystem::path picture = files.Find(camera.picture, folder);
+  return picture.empty() ? "" : Sha256OfFile(picture);
+}
+
 }  // namespace
 
-GroundTruth ReadFloorplanTruth(const std::filesystem::path& path) {
+GroundTruth ReadFloorplanTruth(const std::filesystem::path& path,
+                               const std::filesystem::path& folder) {
   const Floorplan plan = ReadFloorplanJson(path);
+  const PictureFiles files(folder);
   const HomeToWorld to_world(plan.home_from_world);
   GroundTruth truth;
   std::vector<TruthSegment> doors;
@@ -131,8 +159,8 @@ GroundTruth ReadFloorplanTruth(const std::filesystem::path& path) {
     }
     for (const PlanCamera& camera : plan.cameras) {
       if (camera.storey_idx != static_cast<int>(i)) continue;
-      truth.views.push_back(
-          MakeView(camera, plan.storeys[i], cuts, plan.home_from_world, to_world));
+      truth.views.push_back(MakeView(camera, HashOf(camera, files, folder), plan.storeys[i], cuts,
+                                     plan.home_from_world, to_world));
     }
   }
   truth.doors = MergeDoors(doors);

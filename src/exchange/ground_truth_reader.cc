@@ -15,7 +15,7 @@ GroundTruth ReadGroundTruth(const std::filesystem::path& folder, double camera_h
     return std::filesystem::exists(folder / name, ignored);
   };
   for (const char* name : {"truth/floorplan.json", "floorplan.json"}) {
-    if (has(name)) return ReadFloorplanTruth(folder / name);
+    if (has(name)) return ReadFloorplanTruth(folder / name, folder);
   }
   if (has("zind_data.json")) return ReadZindTruth(folder / "zind_data.json", camera_height_m);
   if (has("layout.obj")) return ReadObjTruth(folder / "layout.obj");

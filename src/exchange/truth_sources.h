@@ -13,7 +13,9 @@ namespace enfilade {
 
 using TruthSegment = std::array<Eigen::Vector2d, 2>;
 
-[[nodiscard]] GroundTruth ReadFloorplanTruth(const std::filesystem::path& path);
+// The sources. `folder` is where the pictures are.
+[[nodiscard]] GroundTruth ReadFloorplanTruth(const std::filesystem::path& path,
+                                             const std::filesystem::path& folder);
 [[nodiscard]] GroundTruth ReadZindTruth(const std::filesystem::path& path, double camera_height_m);
 [[nodiscard]] GroundTruth ReadObjTruth(const std::filesystem::path& path);
 

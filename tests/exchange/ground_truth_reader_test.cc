@@ -101,6 +101,25 @@ TEST(FloorplanTruth, APictureShowsTheOutlineOfItsRoom) {
   EXPECT_FALSE(truth.views[2].is_inside);
 }
 
+TEST(FloorplanTruth, ADoorCutsTheFaceBehindItHoweverThickTheWallIsThere) {
+  const TempFolder temp;
+  Floorplan plan = TwoRooms();
+  plan.storeys[0].walls[0].thickness_m = 0.3;  // behind another part of the face
+  WriteFloorplanJson(temp / "floorplan.json", plan, Json::object());
+  EXPECT_NEAR(TotalLength(ReadGroundTruth(temp.path()).walls), 14 + 9.8 - 2 * 0.8, 1e-6);
+}
+
+TEST(FloorplanTruth, APictureWithoutHashIsHashedWhereItExists) {
+  const TempFolder temp;
+  Floorplan plan = TwoRooms();
+  plan.cameras[0].sha256 = plan.cameras[1].sha256 = "";
+  WriteTestPicture(temp / "panos" / "a.png", 1);
+  WriteFloorplanJson(temp / "truth" / "floorplan.json", plan, Json::object());
+  const GroundTruth truth = ReadGroundTruth(temp.path());
+  EXPECT_EQ(truth.views[0].sha256, Sha256OfFile(temp / "panos" / "a.png"));
+  EXPECT_EQ(truth.views[1].sha256, "");
+}
+
 TEST(FloorplanTruth, TheTruthFolderGoesFirst) {
   const TempFolder temp;
   WriteFloorplanJson(temp / "truth" / "floorplan.json", TwoRooms(), Json::object());
