@@ -26,10 +26,13 @@ using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
 void InsertRing(const Ring2& ring, Cdt& cdt, std::vector<Eigen::Vector2d>& vertices) {
   std::vector<Cdt::Vertex_handle> handles;
   for (const Eigen::Vector2d& p : ring) {
+    ENFILADE_CHECK(p.allFinite());
     handles.push_back(cdt.insert({p.x(), p.y()}));
     handles.back()->info() = static_cast<int>(vertices.size());
     vertices.push_back(p);
   }
+  // CGAL crashes on a constraint from a vertex to itself.
+  ENFILADE_CHECK_MSG(cdt.number_of_vertices() == vertices.size(), "a vertex is repeated");
   try {
     for (size_t i = 0; i < handles.size(); ++i) {
       cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
@@ -68,7 +71,6 @@ Triangulation2 Triangulate(const Polygon2& polygon) {
   Cdt cdt;
   InsertRing(polygon.outer, cdt, result.vertices);
   for (const Ring2& hole : polygon.holes) InsertRing(hole, cdt, result.vertices);
-  ENFILADE_CHECK_MSG(cdt.number_of_vertices() == result.vertices.size(), "rings touch or cross");
   MarkDepth(cdt);
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
     if (face->info() % 2 == 0) continue;

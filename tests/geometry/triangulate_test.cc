@@ -98,6 +98,7 @@ TEST(Triangulate, BadRingsAreBugs) {
   EXPECT_THROW((void)Triangulate({ParseRing("0,0 1,0"), {}}), std::logic_error);
   EXPECT_THROW((void)Triangulate({ParseRing("0,0 4,4 4,0 0,4"), {}}), std::logic_error);
   EXPECT_THROW((void)Triangulate({ParseRing("0,0 4,0 4,4 4,4 0,4"), {}}), std::logic_error);
+  EXPECT_THROW((void)Triangulate({{{0, 0}, {4, std::nan("")}, {4, 4}}, {}}), std::logic_error);
   EXPECT_THROW((void)Triangulate({ParseRing("0,0 4,0 4,4 0,4"), {ParseRing("0,0 1,2 2,1")}}),
                std::logic_error);
 }
