@@ -96,11 +96,8 @@ class StoreySolver {
     if (options_.use_correlation) Correlate();
     EstimateFloorHeight();
     FindPaths(false, false);
-    if (options_.use_ceiling) {
-      EstimateCeilingHeights();
-      FindPaths(true, false);
-    }
     if (options_.use_correlation) Correlate();
+    if (options_.use_ceiling) EstimateCeilingHeights();
     FindPaths(options_.use_ceiling, true);
   }
 
