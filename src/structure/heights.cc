@@ -12,9 +12,9 @@
 namespace enfilade {
 namespace {
 
-// Under a wrong floor line (a kerb, a cabinet's plinth) a ceiling fits at a wrong height and distance. Only the
-// correlation knows the distance: it weighs more in the search for ceilings.
-constexpr double kCeilingCorrelation = 2.0;
+// Under a wrong floor line (a kerb, a cabinet's plinth) the other line fits at a wrong height and
+// distance. Only the correlation knows the distance: it weighs more in the search for heights.
+constexpr double kCorrelationFactor = 2.0;
 // Weight of one squared standard deviation of the camera's height, mean response.
 constexpr double kPriorWeight = 0.01;
 // The last search for the floor's height.
@@ -37,7 +37,7 @@ double PathScore(const HeightView& view, double floor_z, double baseboard_m,
     AddScores(ScoreFloor(*view.response, view.camera_z - floor_z, baseboard_m, bins), 1.0, scores);
   if (ceiling_z != nullptr)
     AddScores(ScoreLine(*view.response, view.camera_z - *ceiling_z, bins), 1.0, scores);
-  AddScores(*view.correlation, ceiling_z != nullptr ? kCeilingCorrelation : 1.0, scores);
+  AddScores(*view.correlation, kCorrelationFactor, scores);
   return FindWallPath(scores, bins, viterbi, false).score / 360.0;
 }
 
