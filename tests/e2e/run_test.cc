@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+// The main job on a small home of our own, and that nothing shakes its result: threads, kills,
+// stops.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "enfilade/base/file.h"
+#include "enfilade/base/json.h"
+#include "tests/e2e/program.h"
+#include "tests/support/temp_folder.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// Every file of a result but the manifest, which holds times, and the lock.
+std::map<std::string, std::string> ResultFiles(const fs::path& output) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(output)) {
+    const std::string name = entry.path().lexically_relative(output);
+    if (entry.is_regular_file() && name != "manifest.json" && name != ".lock") {
+      files[name] = ReadFile(entry.path());
+    }
+  }
+  return files;
+}
+
+// Tells which files differ instead of printing them.
+void ExpectSameFiles(const std::map<std::string, std::string>& a,
+                     const std::map<std::string, std::string>& b) {
+  for (const auto& [name, bytes] : a) {
+    ASSERT_TRUE(b.contains(name)) << name;
+    EXPECT_TRUE(b.at(name) == bytes) << name << " differs";
+  }
+  EXPECT_EQ(a.size(), b.size());
+}
+
+class Run : public testing::Test {
+ protected:
+  // Makes the home and its result once for all tests.
+  static void SetUpTestSuite() {
+    folder_ = new TempFolder;
+    ASSERT_EQ(RunProgram({"synth", "-o", home(), "--preset", "room", "--width", "512"}).exit_code,
+              0);
+    const ProgramResult result = RunProgram({"run", home(), "-o", reference(), "--threads", "1"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  static fs::path home() { return folder_->path() / "home"; }
+  static fs::path reference() { return folder_->path() / "reference"; }
+  // Beside the reference: scene.json names pictures relative to itself.
+  static fs::path output() { return folder_->path() / "out"; }
+
+  void SetUp() override { fs::remove_all(output()); }
+
+  static ProgramResult RunHome(const ProgramConditions& conditions = {}) {
+    return RunProgram({"run", home(), "-o", output()}, conditions);
+  }
+
+ private:
+  static TempFolder* folder_;
+};
+
+TempFolder* Run::folder_ = nullptr;
+
+TEST_F(Run, FindsTheRoom) {
+  const ProgramResult result = RunProgram({"evaluate", reference(), "--truth", home()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json figures = ReadJsonFile(reference() / "evaluation.json");
+  EXPECT_GE(figures.at("area_iou_gross").get<double>(), 0.93);
+  EXPECT_LE(figures.at("wall_plan_to_truth_median_m").get<double>(), 0.05);
+  EXPECT_TRUE(fs::exists(reference() / "overlay.png"));
+  fs::remove(reference() / "evaluation.json");
+  fs::remove(reference() / "overlay.png");
+}
+
+TEST_F(Run, WritesWhatTheProtocolNames) {
+  for (const char* name :
+       {"scene.json", "structure/structure.json", "evidence/evidence.json", "floorplan.json",
+        "plan.svg", "model.glb", "model.obj", "manifest.json"}) {
+    EXPECT_TRUE(fs::exists(reference() / name)) << name;
+  }
+  const nlohmann::json manifest = ReadJsonFile(reference() / "manifest.json");
+  ASSERT_EQ(manifest.at("stages").size(), 6u);
+  for (const nlohmann::json& stage : manifest.at("stages")) {
+    EXPECT_EQ(stage.at("outcome"), "done");
+    EXPECT_GT(stage.at("peak_memory_mb").get<double>(), 10);
+  }
+}
+
+TEST_F(Run, GivesTheSameBytesForTwoThreads) {
+  ASSERT_EQ(RunProgram({"run", home(), "-o", output(), "--threads", "2"}).exit_code, 0);
+  ExpectSameFiles(ResultFiles(output()), ResultFiles(reference()));
+}
+
+TEST_F(Run, DoesNothingTheSecondTime) {
+  ASSERT_EQ(RunHome().exit_code, 0);
+  const auto written = fs::last_write_time(output() / "structure/structure.json");
+  const ProgramResult result = RunHome();
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("export: up to date"));
+  EXPECT_EQ(fs::last_write_time(output() / "structure/structure.json"), written);
+}
+
+TEST_F(Run, StagesOneByOneGiveTheSame) {
+  ASSERT_EQ(RunProgram({"sfm", home(), "-o", output()}).exit_code, 0);
+  for (const char* stage : {"structure", "evidence", "floorplan", "model", "export"}) {
+    const ProgramResult result = RunProgram({stage, output()});
+    ASSERT_EQ(result.exit_code, 0) << stage << result.err;
+  }
+  ExpectSameFiles(ResultFiles(output()), ResultFiles(reference()));
+  EXPECT_THAT(RunHome().err, HasSubstr("structure: up to date"));
+}
+
+// The files whose appearance tells how far a run has come.
+class KilledRun : public Run, public testing::WithParamInterface<const char*> {};
+
+TEST_P(KilledRun, ResumesToTheSameBytes) {
+  const fs::path sign = output() / GetParam();
+  const ProgramResult killed =
+      RunHome({.signal_when = [&] { return fs::exists(sign); }, .signal = SIGKILL});
+  EXPECT_EQ(killed.signal, SIGKILL);
+  const ProgramResult resumed = RunHome();
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  ExpectSameFiles(ResultFiles(output()), ResultFiles(reference()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Anywhere, KilledRun,
+                         testing::Values(".lock", "scene.json", "structure/profile_0000.bin",
+                                         "structure/structure.json", "evidence/storey_0.bin",
+                                         "floorplan.json", "model.obj"));
+
+TEST_F(Run, StopsOnASignalAndSaysHowToResume) {
+  const fs::path sign = output() / "scene.json";
+  const ProgramResult stopped =
+      RunHome({.signal_when = [&] { return fs::exists(sign); }, .signal = SIGINT});
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_THAT(stopped.err, HasSubstr("run the same command again to resume"));
+  EXPECT_FALSE(fs::exists(output() / "floorplan.json"));
+  ASSERT_EQ(RunHome().exit_code, 0);
+  ExpectSameFiles(ResultFiles(output()), ResultFiles(reference()));
+}
+
+TEST_F(Run, JsonLogHasOneObjectALine) {
+  const ProgramResult result = RunProgram({"run", home(), "-o", output(), "--log-json"});
+  EXPECT_EQ(result.exit_code, 0);
+  size_t start = 0, num_lines = 0;
+  for (size_t end; (end = result.err.find('\n', start)) != std::string::npos; start = end + 1) {
+    EXPECT_TRUE(nlohmann::json::parse(result.err.substr(start, end - start)).contains("level"));
+    ++num_lines;
+  }
+  EXPECT_GE(num_lines, 6u);
+}
+
+}  // namespace
+}  // namespace enfilade
