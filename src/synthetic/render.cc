@@ -14,6 +14,7 @@
 #include "src/synthetic/light.h"
 #include "src/synthetic/random.h"
 #include "src/synthetic/ray_scene.h"
+#include "src/synthetic/sensor.h"
 
 namespace enfilade {
 
@@ -141,14 +142,22 @@ float ToneMap(float radiance) {
   return 255 * srgb;
 }
 
-uint8_t ToByte(double value) {
-  return static_cast<uint8_t>(std::clamp(std::lround(value), 0L, 255L));
-}
-
 // Height of the stand's silhouette above the nadir, as a share of the rows: a disc with three legs.
 double StandShareAt(double stand_share, double column_share, double turn) {
   const double leg = std::cos(3 * 2 * kPi * (column_share + turn));
   return stand_share * (1 + 0.35 * std::pow(std::max(0.0, leg), 24));
+}
+
+// Places in a pixel: the R2 sequence (Roberts 2018), moved so that its mean is the pixel's centre.
+std::vector<Eigen::Vector2d> SampleOffsets(int num_samples) {
+  std::vector<Eigen::Vector2d> offsets;
+  Eigen::Vector2d mean(0, 0);
+  for (int s = 1; s <= num_samples; ++s) {
+    offsets.emplace_back(std::fmod(0.7548776662 * s, 1.0), std::fmod(0.5698402910 * s, 1.0));
+    mean += offsets.back() / num_samples;
+  }
+  for (Eigen::Vector2d& offset : offsets) offset += Eigen::Vector2d(0.5, 0.5) - mean;
+  return offsets;
 }
 
 struct PixelJob {
@@ -157,31 +166,23 @@ struct PixelJob {
   Vector3f origin;
   Eigen::Matrix3d home_from_cam;
   Eigen::Matrix3d world_from_home;
-  uint64_t seed;
   double stand_turn;
   float exposure;
+  std::vector<Eigen::Vector2d> offsets;
 
   [[nodiscard]] Vector3f Direction(double x, double y) const {
     return (home_from_cam * camera.RayFromPixel({x, y})).normalized().cast<float>();
   }
 };
 
-void RenderColour(const PixelJob& job, int row, int col, RenderedPanorama& out) {
-  Random random(
-      PartSeed(job.seed, static_cast<uint64_t>(row) * static_cast<uint64_t>(job.camera.width) +
-                             static_cast<uint64_t>(col)));
-  const int num_samples = job.lit.options.samples_per_pixel;
+void RenderColour(const PixelJob& job, int row, int col, ImageF& ideal) {
   Vector3f sum(0, 0, 0);
-  for (int s = 0; s < num_samples; ++s) {
-    // Additive recurrence over the pixel (R2 sequence, Roberts 2018), shifted per pixel.
-    const double dx = std::fmod(0.7548776662 * (s + 1), 1.0),
-                 dy = std::fmod(0.5698402910 * (s + 1), 1.0);
-    const Vector3f radiance = RadianceAlong(job.lit, job.origin, job.Direction(col + dx, row + dy));
+  for (const Eigen::Vector2d& offset : job.offsets) {
+    const Vector3f direction = job.Direction(col + offset.x(), row + offset.y());
+    const Vector3f radiance = RadianceAlong(job.lit, job.origin, direction);
     for (int k = 0; k < 3; ++k) sum[k] += ToneMap(job.exposure * radiance[k]);
   }
-  for (int k = 0; k < 3; ++k) {
-    out.rgb(row, col, k) = ToByte(sum[k] / num_samples + job.lit.options.noise * random.Normal());
-  }
+  for (int k = 0; k < 3; ++k) ideal(row, col, k) = sum[k] / static_cast<float>(job.offsets.size());
 }
 
 void RenderTruth(const PixelJob& job, int row, int col, RenderedPanorama& out) {
@@ -207,25 +208,21 @@ void RenderTruth(const PixelJob& job, int row, int col, RenderedPanorama& out) {
   for (int k = 0; k < 3; ++k) out.normal(row, col, k) = static_cast<float>(normal[k]);
 }
 
-void RenderStand(const PixelJob& job, int row, int col, RenderedPanorama& out) {
-  Random random(
-      PartSeed(job.seed, static_cast<uint64_t>(row) * static_cast<uint64_t>(job.camera.width) +
-                             static_cast<uint64_t>(col)));
-  const double depth = (row + 0.5) / job.camera.height;  // lighter rim, darker towards the nadir
-  const double grey =
-      18 + 26 * std::clamp((1 - depth) / std::max(job.lit.options.stand_share, 1e-6), 0.0, 1.0);
-  for (int k = 0; k < 3; ++k)
-    out.rgb(row, col, k) = ToByte(grey + job.lit.options.noise * random.Normal());
+// Lighter at the rim, darker towards the nadir.
+float StandGrey(const PixelJob& job, int row) {
+  const double depth = 1 - (row + 0.5) / job.camera.height;
+  const double share = depth / std::max(job.lit.options.stand_share, 1e-6);
+  return static_cast<float>(18 + 26 * std::clamp(share, 0.0, 1.0));
 }
 
-void RenderRow(const PixelJob& job, int row, RenderedPanorama& out) {
+void RenderRow(const PixelJob& job, int row, ImageF& ideal, RenderedPanorama& out) {
   for (int col = 0; col < job.camera.width; ++col) {
     const double stand_share =
         StandShareAt(job.lit.options.stand_share, (col + 0.5) / job.camera.width, job.stand_turn);
     if ((row + 0.5) / job.camera.height > 1 - stand_share) {
-      RenderStand(job, row, col, out);
+      std::fill_n(&ideal(row, col), 3, StandGrey(job, row));
     } else {
-      RenderColour(job, row, col, out);
+      RenderColour(job, row, col, ideal);
       RenderTruth(job, row, col, out);
     }
   }
@@ -233,7 +230,6 @@ void RenderRow(const PixelJob& job, int row, RenderedPanorama& out) {
 
 RenderedPanorama BlankPanorama(ImageSize size) {
   RenderedPanorama out;
-  out.rgb = ImageU8(size.height, size.width, 3);
   out.range_m = ImageF(size.height, size.width);
   out.normal = ImageF(size.height, size.width, 3);
   out.label = ImageU8(size.height, size.width);
@@ -267,21 +263,23 @@ RenderedPanorama HomeRenderer::Render(int camera_idx, ImageSize size, RunContext
   const Home& home = home_->home;
   ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(home.cameras.size()));
   ENFILADE_CHECK(size.height > 0 && size.width == 2 * size.height);
-  const Rigid3& home_from_cam = home.cameras[static_cast<size_t>(camera_idx)].home_from_cam;
+  const HomeCamera& home_camera = home.cameras[static_cast<size_t>(camera_idx)];
+  const Rigid3& home_from_cam = home_camera.home_from_cam;
   const Camera camera = EquirectangularCamera(size.width, size.height);
   const uint64_t seed = PartSeed(home.seed + 2, static_cast<uint64_t>(camera_idx));
-  const PixelJob job{
-      *home_,
-      camera,
-      home_from_cam.translation.cast<float>(),
-      home_from_cam.rotation,
-      home.home_from_world.rotation.transpose(),
-      seed,
-      Random(seed).Uniform(),
-      home_->exposure_of_room.at(home.cameras[static_cast<size_t>(camera_idx)].room_id)};
+  const PixelJob job{.lit = *home_,
+                     .camera = camera,
+                     .origin = home_from_cam.translation.cast<float>(),
+                     .home_from_cam = home_from_cam.rotation,
+                     .world_from_home = home.home_from_world.rotation.transpose(),
+                     .stand_turn = Random(seed).Uniform(),
+                     .exposure = home_->exposure_of_room.at(home_camera.room_id),
+                     .offsets = SampleOffsets(home_->options.samples_per_pixel)};
   RenderedPanorama out = BlankPanorama(size);
+  ImageF ideal(size.height, size.width, 3);
   ParallelFor(context, "panorama", size.height,
-              [&](int64_t row) { RenderRow(job, static_cast<int>(row), out); });
+              [&](int64_t row) { RenderRow(job, static_cast<int>(row), ideal, out); });
+  out.rgb = ExposeSensor(ideal, home_->options.blur_px, home_->options.noise, seed);
   return out;
 }
 

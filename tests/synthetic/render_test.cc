@@ -205,7 +205,7 @@ TEST(Render, StandCoversTheBottomAndHasNoTruth) {
   options.stand_share = 0.08;
   const RenderedPanorama out = RenderFirst(home, options);
   for (int col = 0; col < kSize.width; ++col) {
-    for (const int row : {118, 127}) {
+    for (const int row : {120, 127}) {
       EXPECT_LT(out.rgb(row, col, 0), 60);
       EXPECT_EQ(out.range_m(row, col), 0);
       EXPECT_EQ(out.label(row, col), static_cast<uint8_t>(SurfaceLabel::kOther));

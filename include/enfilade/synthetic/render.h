@@ -25,6 +25,7 @@ struct RenderOptions {
   int gather_rays = 144;
   int bounces = 3;
   double light_cell_m = 0.05;
+  double blur_px = 0.6;
   double noise = 1.2;
   double stand_share = 0.07;
 
@@ -35,6 +36,7 @@ struct RenderOptions {
     v("bounces", bounces, "Times that light is reflected before it is lost.", {0, 8});
     v("light_cell_m", light_cell_m,
       "Spacing of the points on surfaces at which the light is worked out.", {0.01, 1.0});
+    v("blur_px", blur_px, "Standard deviation of the lens' blur, in pixels.", {0.0, 10.0});
     v("noise", noise, "Standard deviation of the sensor's noise, in grey levels of 255.",
       {0.0, 20.0});
     v("stand_share", stand_share, "Share of the rows, at the bottom, that show the camera's stand.",
