@@ -92,10 +92,15 @@ int RunProgram(int argc, char** argv, Log& log) {
     log.Warning("stopped; run the same command again to resume");
     return 128 + StopSignal();
   } catch (const std::bad_alloc&) {
-    log.Error("memory: there is not enough; close other programs or give smaller pictures");
+    log.Error(
+        "memory: there is not enough; allow more with --max-memory, close other programs, give "
+        "smaller pictures or fewer --threads");
     return kExitInput;
   } catch (const std::filesystem::filesystem_error& error) {
     log.Error(PrintablePath(error.path1()) + ": " + error.code().message());
+    return kExitInput;
+  } catch (const std::system_error& error) {
+    log.Error(std::string("the system refuses: ") + error.what() + "; free memory or threads");
     return kExitInput;
   } catch (const std::exception& error) {
     log.Error(std::string("this is a bug of enfilade, please report it: ") + error.what());
