@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/structure/column_scores.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "enfilade/geometry/angles.h"
+#include "tests/structure/box_room.h"
+
+namespace enfilade {
+namespace {
+
+constexpr int kRows = 1024;
+constexpr double kCamera_m = 1.435;
+
+// Columns whose wall, of family 0, stands at the distances given.
+ColumnTruth WallsAt(std::vector<double> distances_m) {
+  ColumnTruth truth;
+  truth.family.assign(distances_m.size(), 0);
+  truth.wall_m = std::move(distances_m);
+  return truth;
+}
+
+double PeakDistance(const ColumnScores& scores, const DistanceBins& bins, int column) {
+  const float* row = scores.family[0].row(column);
+  return bins.Distance(static_cast<double>(std::max_element(row, row + bins.count) - row));
+}
+
+TEST(DistanceBins, DistanceAndBinAreInverse) {
+  const DistanceBins bins;
+  for (const double bin : {-3.0, 0.0, 17.25, 279.0}) {
+    EXPECT_NEAR(bins.Bin(bins.Distance(bin)), bin, 1e-9);
+  }
+  const std::vector<double> centers = bins.Centers();
+  ASSERT_EQ(centers.size(), 280u);
+  EXPECT_DOUBLE_EQ(centers[0], 0.3);
+  EXPECT_DOUBLE_EQ(centers[100], bins.Distance(100));
+}
+
+TEST(ScoreLine, PeaksAtTheTrueDistance) {
+  const DistanceBins bins;
+  const ColumnTruth truth = WallsAt({0.6, 1.0, 2.0, 3.5, 6.0});
+  for (const double height_m : {-kCamera_m, 1.1}) {
+    const ColumnScores scores =
+        ScoreLine(PerfectResponse(truth, kRows, {height_m}), -height_m, bins);
+    for (int c = 0; c < 5; ++c) {
+      const double distance = truth.wall_m[static_cast<size_t>(c)];
+      // Half a bin, and what one row of the picture is worth at this distance.
+      const double row_share =
+          kPi / kRows * (distance / std::abs(height_m) + std::abs(height_m) / distance);
+      EXPECT_NEAR(PeakDistance(scores, bins, c) / distance, 1, 0.0075 + row_share / 2) << distance;
+    }
+  }
+}
+
+TEST(ScoreLine, NearBinsTakeTheStrongestOfTheirRows) {
+  // Between the rows of two neighbouring bins lie several rows; the line may be in any of them.
+  const DistanceBins bins{0.4, 0.05, 60};
+  LineResponse response{std::vector<ImageU8>(kNumFamilies)};
+  response.family[0] = ImageU8(kRows, 1);
+  for (double distance = 0.6; distance < 1.2; distance += 0.013) {
+    ImageU8 picture(kRows, 1);
+    picture(static_cast<int>(kRows * (0.5 + std::atan(kCamera_m / distance) / kPi)), 0) = 255;
+    response.family[0] = picture;
+    const ColumnScores scores = ScoreLine(response, kCamera_m, bins);
+    EXPECT_NEAR(PeakDistance(scores, bins, 0) / distance, 1, 0.03) << distance;
+  }
+}
+
+TEST(ScoreLine, LeavesOutFamiliesWithoutResponse) {
+  const ColumnScores scores =
+      ScoreLine(PerfectResponse(WallsAt({2, 3}), 128, {-1.4}), 1.4, DistanceBins());
+  EXPECT_EQ(scores.family[0].rows(), 2);
+  EXPECT_TRUE(scores.family[2].empty());
+  EXPECT_TRUE(scores.family[kFrontalFamily].empty());
+}
+
+// Between floor and wall lies a baseboard of 5.5 cm whose upper edge is the stronger line.
+class DoubleEdge : public ::testing::Test {
+ protected:
+  DoubleEdge() {
+    response_ = PerfectResponse(truth_, kRows, {-kCamera_m + kBaseboard_m});
+    const LineResponse lower = PerfectResponse(truth_, kRows, {-kCamera_m});
+    for (size_t i = 0; i < response_.family[0].data().size(); ++i) {
+      uint8_t& value = response_.family[0].data()[i];
+      value = std::max<uint8_t>(value, lower.family[0].data()[i] / 2);
+    }
+  }
+
+  static constexpr double kBaseboard_m = 0.055;
+  DistanceBins bins_;
+  ColumnTruth truth_ = WallsAt({1.5, 2.0, 2.5, 3.0});
+  LineResponse response_;
+};
+
+TEST_F(DoubleEdge, OneLineAloneIsBiased) {
+  const ColumnScores single = ScoreFloor(response_, kCamera_m, 0, bins_);
+  for (int c = 0; c < 4; ++c) {
+    // The upper edge is taken for the floor line: h / (h − b) = 1.04.
+    EXPECT_NEAR(PeakDistance(single, bins_, c) / truth_.wall_m[static_cast<size_t>(c)],
+                kCamera_m / (kCamera_m - kBaseboard_m), 0.012);
+  }
+}
+
+TEST_F(DoubleEdge, BothLinesTogetherAreNot) {
+  const ColumnScores both = ScoreFloor(response_, kCamera_m, kBaseboard_m, bins_);
+  for (int c = 0; c < 4; ++c) {
+    EXPECT_NEAR(PeakDistance(both, bins_, c) / truth_.wall_m[static_cast<size_t>(c)], 1, 0.012);
+  }
+}
+
+TEST(AllowObstacles, AWallMayStandBehindTheLineAtACost) {
+  const DistanceBins bins;
+  const ObstacleOptions options;
+  ColumnScores floor;
+  floor.family[0] = ImageF(1, bins.count);
+  const int line = static_cast<int>(std::lround(bins.Bin(2.0)));
+  floor.family[0](0, line) = 1;
+  const ColumnScores allowed = AllowObstacles(floor, bins, options);
+  const auto at = [&](double distance) {
+    return allowed.family[0](0, static_cast<int>(std::lround(bins.Bin(distance))));
+  };
+  EXPECT_FLOAT_EQ(at(2.0), 1);
+  EXPECT_FLOAT_EQ(at(2.5), 1 - static_cast<float>(options.cost));
+  EXPECT_FLOAT_EQ(at(2.1), 0);  // too near to tell apart
+  EXPECT_FLOAT_EQ(at(3.0), 0);  // too deep for furniture
+  EXPECT_FLOAT_EQ(at(1.5), 0);  // nothing stands behind the wall
+  EXPECT_TRUE(allowed.family[1].empty());
+}
+
+TEST(AllowObstacles, NeverLowersAScore) {
+  const DistanceBins bins{0.3, 0.05, 70};
+  ColumnScores floor;
+  floor.family[1] = ImageF(3, bins.count);
+  for (size_t i = 0; i < floor.family[1].data().size(); ++i) {
+    floor.family[1].data()[i] = static_cast<float>(i * 2654435761u % 1000) / 1000;
+  }
+  const ColumnScores allowed = AllowObstacles(floor, bins, {});
+  for (size_t i = 0; i < floor.family[1].data().size(); ++i) {
+    EXPECT_GE(allowed.family[1].data()[i], floor.family[1].data()[i]);
+  }
+}
+
+TEST(AddScores, AddsWeighedAndBeginsAtZero) {
+  ColumnScores a, b, sum;
+  a.family[0] = ImageF(2, 3, 1, 2.0F);
+  b.family[0] = ImageF(2, 3, 1, 10.0F);
+  b.family[2] = ImageF(2, 3, 1, 4.0F);
+  AddScores(a, 1, sum);
+  AddScores(b, 0.5, sum);
+  EXPECT_FLOAT_EQ(sum.family[0](1, 2), 7);
+  EXPECT_FLOAT_EQ(sum.family[2](0, 0), 2);
+  EXPECT_TRUE(sum.family[1].empty());
+}
+
+TEST(AddScores, RefusesPicturesOfDifferentSize) {
+  ColumnScores a, b;
+  a.family[0] = ImageF(2, 3);
+  b.family[0] = ImageF(2, 4);
+  EXPECT_THROW(AddScores(a, 1, b), std::logic_error);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/structure/heights.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/structure/box_room.h"
+
+namespace enfilade {
+namespace {
+
+constexpr int kRows = 512, kColumns = 64;
+const DistanceBins kBins{0.3, 0.015, 220};
+
+// A panorama in a room, as a perfect line detector and a perfect correlation would see it.
+struct PerfectView {
+  PerfectView(const BoxRoom& room, const Eigen::Vector3d& camera, bool has_ceiling_line = true)
+      : camera_z(camera.z()), truth(TruthOfColumns(room, camera.head<2>(), kColumns)) {
+    std::vector<double> heights = {room.floor_z - camera.z()};
+    if (room.baseboard_m > 0) heights.push_back(room.floor_z + room.baseboard_m - camera.z());
+    if (has_ceiling_line) heights.push_back(room.ceiling_z - camera.z());
+    response = PerfectResponse(truth, kRows, heights);
+    // A correlation is broad.
+    correlation = PerfectScores(truth, kBins, 1.0, 8);
+  }
+
+  double camera_z;
+  ColumnTruth truth;
+  LineResponse response;
+  ColumnScores correlation;
+};
+
+std::vector<HeightView> ViewsOf(const std::vector<PerfectView>& perfect) {
+  std::vector<HeightView> views;
+  for (const PerfectView& p : perfect) views.push_back({&p.response, &p.correlation, p.camera_z});
+  return views;
+}
+
+BoxRoom RoomWith(double floor_z, double ceiling_z, double baseboard_m) {
+  BoxRoom room;
+  room.floor_z = floor_z;
+  room.ceiling_z = ceiling_z;
+  room.baseboard_m = baseboard_m;
+  return room;
+}
+
+FloorEstimate Floor(const std::vector<PerfectView>& views, double prior_camera_m = 0) {
+  RunContext context(2);
+  return EstimateFloor(ViewsOf(views), prior_camera_m, kBins, {}, {}, context);
+}
+
+TEST(EstimateFloor, FindsFloorAndBaseboardWhateverTheCameraHeight) {
+  for (const double camera_m : {0.9, 1.45, 1.8}) {
+    const BoxRoom room = RoomWith(0.3, 2.8, 0.08);
+    const FloorEstimate floor = Floor({PerfectView(room, {1.2, 1.1, 0.3 + camera_m}),
+                                       PerfectView(room, {2.9, 1.9, 0.31 + camera_m}, false)});
+    EXPECT_NEAR(floor.floor_z, 0.3, 0.02) << camera_m;
+    EXPECT_NEAR(floor.baseboard_m, 0.08, 0.025) << camera_m;
+    EXPECT_GT(floor.contrast, 0.1) << camera_m;
+  }
+}
+
+TEST(EstimateFloor, WithoutBaseboardASingleLineIsFound) {
+  const BoxRoom room = RoomWith(-0.2, 2.2, 0);
+  const FloorEstimate floor =
+      Floor({PerfectView(room, {1.2, 1.1, 1.2}), PerfectView(room, {2.9, 1.9, 1.2}, false)});
+  EXPECT_NEAR(floor.floor_z, -0.2, 0.02);
+  EXPECT_EQ(floor.baseboard_m, 0);
+}
+
+TEST(EstimateFloor, APriorDecidesWhatOneBlankRoomCannot) {
+  // Without correlation any floor explains the lines of one panorama.
+  const BoxRoom room = RoomWith(0, 2.5, 0.07);
+  std::vector<PerfectView> views = {PerfectView(room, {1.2, 1.1, 1.5})};
+  views[0].correlation = ColumnScores();
+  EXPECT_NEAR(Floor(views, 1.5).floor_z, 0, 0.03);
+  EXPECT_NEAR(Floor(views, 1.2).floor_z, 0.3, 0.06);
+}
+
+std::vector<CeilingEstimate> Ceilings(const std::vector<PerfectView>& views,
+                                      const std::vector<std::vector<int>>& same_room,
+                                      double baseboard_m) {
+  RunContext context(2);
+  return EstimateCeilings(ViewsOf(views), {0, baseboard_m, 0}, same_room, kBins, {}, {}, context);
+}
+
+TEST(EstimateCeilings, RoomsOfDifferentHeightKeepTheirs) {
+  const BoxRoom low = RoomWith(0, 2.33, 0.07), high = RoomWith(0, 2.61, 0.07);
+  const std::vector<CeilingEstimate> ceilings =
+      Ceilings({PerfectView(low, {1.2, 1.1, 1.4}), PerfectView(low, {2.4, 2.0, 1.4}),
+                PerfectView(high, {1.7, 0.9, 1.41})},
+               {{1}, {0}, {}}, 0.07);
+  EXPECT_NEAR(ceilings[0].ceiling_z, 2.33, 0.03);
+  EXPECT_NEAR(ceilings[1].ceiling_z, 2.33, 0.03);
+  EXPECT_NEAR(ceilings[2].ceiling_z, 2.61, 0.03);
+  for (const CeilingEstimate& ceiling : ceilings) EXPECT_GT(ceiling.weight, 0.95);
+}
+
+TEST(EstimateCeilings, APanoramaThatSeesNoneTakesItsRoomsCeiling) {
+  const BoxRoom room = RoomWith(0, 2.75, 0.07);
+  const std::vector<CeilingEstimate> ceilings =
+      Ceilings({PerfectView(room, {1.2, 1.1, 1.4}), PerfectView(room, {2.4, 2.0, 1.4}, false)},
+               {{1}, {0}}, 0.07);
+  EXPECT_NEAR(ceilings[1].ceiling_z, 2.75, 0.03);
+}
+
+TEST(EstimateCeilings, NoLevelCeilingHasNoWeight) {
+  const BoxRoom room = RoomWith(0, 2.5, 0.07);
+  const std::vector<CeilingEstimate> ceilings =
+      Ceilings({PerfectView(room, {1.2, 1.1, 1.4}, false)}, {{}}, 0.07);
+  EXPECT_LT(ceilings[0].weight, 0.3);
+}
+
+}  // namespace
+}  // namespace enfilade
