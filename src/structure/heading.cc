@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/structure/types.h"
@@ -19,8 +20,40 @@ constexpr double kMaxElevation_rad = DegToRad(65);
 // How far about the peak the refinement looks, in kernels.
 constexpr double kRefineKernels = 3;
 
-float Gray(const ImageU8& rgb, int r, int c) {
-  return 0.299F * rgb(r, c, 0) + 0.587F * rgb(r, c, 1) + 0.114F * rgb(r, c, 2);
+// Standard deviation of the smoothing before derivatives are taken. Differences between
+// neighbouring pixels of a sharp edge prefer the directions of the pixel grid: unsmoothed, the
+// heading of a room drawn without noise errs by up to 19°, with 2 px by less than 0.1°.
+constexpr double kSmoothing_px = 2.0;
+// Unseen pixels reach as far into the smoothed picture.
+constexpr int kSmoothingReach_px = 6;
+
+// A picture with `pad` columns more on either side, wrapped round.
+template <typename Pixel>
+cv::Mat Padded(int rows, int cols, int pad, int type, const Pixel& pixel) {
+  cv::Mat padded(rows, cols + 2 * pad, type);
+  for (int r = 0; r < rows; ++r) {
+    for (int c = -pad; c < cols + pad; ++c) pixel(r, (c + cols) % cols, padded.ptr(r), c + pad);
+  }
+  return padded;
+}
+
+cv::Mat SmoothGray(const LevelPanorama& panorama, int pad) {
+  const auto gray = [&](int r, int c, uchar* row, int i) {
+    const uint8_t* rgb = &panorama.rgb(r, c);
+    reinterpret_cast<float*>(row)[i] = 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
+  };
+  cv::Mat smooth = Padded(panorama.rows(), panorama.cols(), pad, CV_32F, gray);
+  cv::GaussianBlur(smooth, smooth, {0, 0}, kSmoothing_px);
+  return smooth;
+}
+
+// Pixels whose smoothed grey owes nothing to unseen ones.
+cv::Mat WhollySeen(const LevelPanorama& panorama, int pad) {
+  const auto seen = [&](int r, int c, uchar* row, int i) { row[i] = panorama.is_seen(r, c) != 0; };
+  cv::Mat mask = Padded(panorama.rows(), panorama.cols(), pad, CV_8U, seen);
+  const int size = 2 * kSmoothingReach_px + 1;
+  cv::erode(mask, mask, cv::getStructuringElement(cv::MORPH_RECT, {size, size}));
+  return mask;
 }
 
 int NumBins(const HeadingOptions& options) {
@@ -33,21 +66,21 @@ HeadingHistogram VoteHeading(const LevelPanorama& panorama, const HeadingOptions
   const int rows = panorama.rows(), cols = panorama.cols();
   const int num_bins = NumBins(options);
   HeadingHistogram histogram(static_cast<size_t>(num_bins), 0.0);
+  constexpr int kPad = kSmoothingReach_px + 2;
+  const cv::Mat gray = SmoothGray(panorama, kPad), seen = WhollySeen(panorama, kPad);
   for (int r = 1; r + 1 < rows; ++r) {
     const double elevation = kPi * (0.5 - (r + 0.5) / rows);
     if (std::abs(elevation) > kMaxElevation_rad) continue;
     const double cos_el = std::cos(elevation), sin_el = std::sin(elevation);
+    const float* above = gray.ptr<float>(r - 1) + kPad;
+    const float* here = gray.ptr<float>(r) + kPad;
+    const float* below = gray.ptr<float>(r + 1) + kPad;
+    const uchar* is_seen = seen.ptr(r) + kPad;
     for (int c = 0; c < cols; ++c) {
-      const int left = c > 0 ? c - 1 : cols - 1, right = c + 1 < cols ? c + 1 : 0;
-      if (!panorama.is_seen(r - 1, c) || !panorama.is_seen(r + 1, c) ||
-          !panorama.is_seen(r, left) || !panorama.is_seen(r, right)) {
-        continue;
-      }
+      if (is_seen[c] == 0) continue;
       // Gradient on the sphere: columns shrink with the cosine of the elevation.
-      const double along_azimuth =
-          0.5 * (Gray(panorama.rgb, r, right) - Gray(panorama.rgb, r, left)) / cos_el;
-      const double along_elevation =
-          0.5 * (Gray(panorama.rgb, r - 1, c) - Gray(panorama.rgb, r + 1, c));
+      const double along_azimuth = 0.5 * (here[c + 1] - here[c - 1]) / cos_el;
+      const double along_elevation = 0.5 * (above[c] - below[c]);
       const double strength = std::hypot(along_azimuth, along_elevation);
       if (strength < options.min_gradient) continue;
       const double azimuth = AzimuthOfColumn(c, cols);

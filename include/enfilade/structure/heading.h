@@ -12,13 +12,13 @@ namespace enfilade {
 struct HeadingOptions {
   double bin_deg = 0.1;
   double kernel_deg = 0.7;
-  double min_gradient = 4.0;
+  double min_gradient = 2.0;
 
   void Visit(OptionVisitor& v) {
     v("bin_deg", bin_deg, "Width of a bin of the heading histogram, degrees.", {0.01, 1.0});
     v("kernel_deg", kernel_deg, "Standard deviation of its smoothing, degrees.", {0.1, 5.0});
-    v("min_gradient", min_gradient, "Weakest image gradient that votes, grey levels per pixel.",
-      {0.5, 100.0});
+    v("min_gradient", min_gradient,
+      "Weakest gradient of the smoothed picture that votes, grey levels per pixel.", {0.5, 100.0});
   }
 };
 
