@@ -62,8 +62,9 @@ class Trellis {
     const int count = bins_.count;
     const float jump =
         *std::max_element(in.begin(), in.end()) - static_cast<float>(options_.jump_cost_deg);
-    Messages widened(in.size());
-    for (int g = 0; g < num_slots(); ++g) Widen(in.data() + g * count, widened.data() + g * count);
+    const int stride = count + 2;
+    Messages widened(static_cast<size_t>(num_slots() * stride));
+    for (int g = 0; g < num_slots(); ++g) Widen(in.data() + g * count, widened.data() + g * stride);
     const float* e = emission(to);
     for (int f = 0; f < num_slots(); ++f) {
       const size_t base = static_cast<size_t>(f * count);
@@ -74,8 +75,8 @@ class Trellis {
       for (int g = 0; g < num_slots(); ++g) {
         if (g == f) continue;
         const int delta = CornerDelta(f, g, boundary);
-        const int first = std::max(0, -delta), last = std::min(count, count - delta);
-        const float* w = widened.data() + g * count + delta;
+        const int first = std::max(0, -delta - 1), last = std::min(count, count - delta + 1);
+        const float* w = widened.data() + g * stride + delta + 1;
         const float corner = static_cast<float>(options_.corner_cost_deg);
         for (int k = first; k < last; ++k) o[k] = std::max(o[k], w[k] - corner);
       }
@@ -105,7 +106,7 @@ class Trellis {
       if (g == f) continue;
       const int center = k + CornerDelta(f, g, boundary);
       for (int i = std::max(0, center - 1); i <= std::min(count - 1, center + 1); ++i) {
-        if (center >= 0 && center < count) offer(g * count + i, options_.corner_cost_deg);
+        offer(g * count + i, options_.corner_cost_deg);
       }
     }
     const auto top = std::max_element(in.begin(), in.end());
@@ -153,11 +154,15 @@ class Trellis {
     }
   }
 
+  // out[k + 1] = the best of in[k − 1 … k + 1], for k from −1 to the number of bins.
   void Widen(const float* in, float* out) const {
     const int count = bins_.count;
+    out[0] = in[0];
     for (int k = 0; k < count; ++k) {
-      out[k] = std::max(in[k], std::max(in[std::max(0, k - 1)], in[std::min(count - 1, k + 1)]));
+      out[k + 1] =
+          std::max(in[k], std::max(in[std::max(0, k - 1)], in[std::min(count - 1, k + 1)]));
     }
+    out[count + 1] = in[count - 1];
   }
 
   void StepFree(const float* in, float* out) const {
@@ -209,8 +214,7 @@ struct Anchor {
 };
 
 // The column whose best state in the forward messages stands out most from other distances.
-Anchor MostCertain(const Trellis& trellis, const std::vector<Messages>& messages,
-                   const PlaneViterbiOptions& options) {
+Anchor MostCertain(const Trellis& trellis, const std::vector<Messages>& messages) {
   Anchor best;
   double best_margin = -1;
   for (int c = 0; c < trellis.num_columns(); ++c) {
@@ -227,10 +231,10 @@ Anchor MostCertain(const Trellis& trellis, const std::vector<Messages>& messages
       }
     }
     const double margin = m[static_cast<size_t>(top)] - second;
-    if (margin > best_margin && margin <= 100 * options.jump_cost_deg) {
-      best_margin = margin;
-      best = {c, top};
-    }
+    // Where nothing but the best distance is possible the margin says nothing.
+    const bool has_rival = second > kImpossible / 2;
+    if (c == 0 || (has_rival && margin > best_margin)) best = {c, top};
+    if (has_rival) best_margin = std::max(best_margin, margin);
   }
   return best;
 }
@@ -329,7 +333,7 @@ WallPath FindWallPath(const ColumnScores& scores, const DistanceBins& bins,
   const Trellis trellis(scores, bins, options);
   const std::vector<Messages> forward = CircularMessages(trellis, 1);
   WallPath path;
-  const Anchor anchor = MostCertain(trellis, forward, options);
+  const Anchor anchor = MostCertain(trellis, forward);
   ReadPath(trellis, bins, ClosedPath(trellis, anchor, &path.score), path);
   if (with_likelihood) {
     path.log_likelihood = LogLikelihood(trellis, bins, forward, CircularMessages(trellis, -1),
