@@ -8,6 +8,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/structure/types.h"
+#include "src/structure/seen_margin.h"
 
 namespace enfilade {
 namespace {
@@ -27,33 +28,19 @@ constexpr double kSmoothing_px = 2.0;
 // Unseen pixels reach as far into the smoothed picture.
 constexpr int kSmoothingReach_px = 6;
 
-// A picture with `pad` columns more on either side, wrapped round.
-template <typename Pixel>
-cv::Mat Padded(int rows, int cols, int pad, int type, const Pixel& pixel) {
-  cv::Mat padded(rows, cols + 2 * pad, type);
-  for (int r = 0; r < rows; ++r) {
-    for (int c = -pad; c < cols + pad; ++c) pixel(r, (c + cols) % cols, padded.ptr(r), c + pad);
-  }
-  return padded;
-}
-
+// The smoothed luminance with `pad` columns more on either side, wrapped round.
 cv::Mat SmoothGray(const LevelPanorama& panorama, int pad) {
-  const auto gray = [&](int r, int c, uchar* row, int i) {
-    const uint8_t* rgb = &panorama.rgb(r, c);
-    reinterpret_cast<float*>(row)[i] = 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
-  };
-  cv::Mat smooth = Padded(panorama.rows(), panorama.cols(), pad, CV_32F, gray);
-  cv::GaussianBlur(smooth, smooth, {0, 0}, kSmoothing_px);
-  return smooth;
-}
-
-// Pixels whose smoothed grey owes nothing to unseen ones.
-cv::Mat WhollySeen(const LevelPanorama& panorama, int pad) {
-  const auto seen = [&](int r, int c, uchar* row, int i) { row[i] = panorama.is_seen(r, c) != 0; };
-  cv::Mat mask = Padded(panorama.rows(), panorama.cols(), pad, CV_8U, seen);
-  const int size = 2 * kSmoothingReach_px + 1;
-  cv::erode(mask, mask, cv::getStructuringElement(cv::MORPH_RECT, {size, size}));
-  return mask;
+  const int rows = panorama.rows(), cols = panorama.cols();
+  cv::Mat gray(rows, cols + 2 * pad, CV_32F);
+  for (int r = 0; r < rows; ++r) {
+    float* out = gray.ptr<float>(r);
+    for (int c = -pad; c < cols + pad; ++c, ++out) {
+      const uint8_t* rgb = panorama.rgb.row(r) + 3 * ((c + cols) % cols);
+      *out = 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
+    }
+  }
+  cv::GaussianBlur(gray, gray, {0, 0}, kSmoothing_px);
+  return gray;
 }
 
 int NumBins(const HeadingOptions& options) {
@@ -67,7 +54,8 @@ HeadingHistogram VoteHeading(const LevelPanorama& panorama, const HeadingOptions
   const int num_bins = NumBins(options);
   HeadingHistogram histogram(static_cast<size_t>(num_bins), 0.0);
   constexpr int kPad = kSmoothingReach_px + 2;
-  const cv::Mat gray = SmoothGray(panorama, kPad), seen = WhollySeen(panorama, kPad);
+  const cv::Mat gray = SmoothGray(panorama, kPad);
+  const ImageU8 seen = SeenWithMargin(panorama, kSmoothingReach_px);
   for (int r = 1; r + 1 < rows; ++r) {
     const double elevation = kPi * (0.5 - (r + 0.5) / rows);
     if (std::abs(elevation) > kMaxElevation_rad) continue;
@@ -75,9 +63,8 @@ HeadingHistogram VoteHeading(const LevelPanorama& panorama, const HeadingOptions
     const float* above = gray.ptr<float>(r - 1) + kPad;
     const float* here = gray.ptr<float>(r) + kPad;
     const float* below = gray.ptr<float>(r + 1) + kPad;
-    const uchar* is_seen = seen.ptr(r) + kPad;
     for (int c = 0; c < cols; ++c) {
-      if (is_seen[c] == 0) continue;
+      if (!seen(r, c)) continue;
       // Gradient on the sphere: columns shrink with the cosine of the elevation.
       const double along_azimuth = 0.5 * (here[c + 1] - here[c - 1]) / cos_el;
       const double along_elevation = 0.5 * (above[c] - below[c]);

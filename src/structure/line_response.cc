@@ -11,6 +11,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/structure/types.h"
+#include "src/structure/seen_margin.h"
 
 namespace enfilade {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 constexpr double kMaxElevation_rad = DegToRad(82);
 // Gaussian under which derivatives are taken, pixels.
 constexpr double kDerivativeSigma_px = 0.8;
+// Pixels that a derivative looks at on either side.
+constexpr int kDerivativeReach_px = 4;
 // Half size of the box over which the local mean of the gradients is taken, as a share of the rows.
 constexpr double kNoiseBoxShare = 0.02;
 
@@ -56,6 +59,7 @@ Gradients ComputeGradients(const LevelPanorama& panorama) {
     }
   }
   cv::GaussianBlur(opponent, opponent, {0, 0}, kDerivativeSigma_px);
+  const ImageU8 seen = SeenWithMargin(panorama, kDerivativeReach_px);
   Gradients gradients{
       rows, cols,
       std::vector<GradientPixel>(static_cast<size_t>(rows) * static_cast<size_t>(cols))};
@@ -66,12 +70,7 @@ Gradients ComputeGradients(const LevelPanorama& panorama) {
     GradientPixel* out =
         gradients.pixels.data() + static_cast<size_t>(r) * static_cast<size_t>(cols);
     for (int c = 0; c < cols; ++c, ++out) {
-      // Pixels beside the unseen part have no gradient: its border is no line.
-      const int left = c > 0 ? c - 1 : cols - 1, right = c + 1 < cols ? c + 1 : 0;
-      if (!panorama.is_seen(r - 1, c) || !panorama.is_seen(r + 1, c) ||
-          !panorama.is_seen(r, left) || !panorama.is_seen(r, right)) {
-        continue;
-      }
+      if (!seen(r, c)) continue;  // the border of the unseen part is no line
       for (int k = 0; k < kNumChannels; ++k) {
         (*out)[static_cast<size_t>(2 * k)] =
             static_cast<int16_t>(kGradientScale * (here[3 * (c + 1) + k] - here[3 * (c - 1) + k]));
