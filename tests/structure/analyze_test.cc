@@ -130,7 +130,6 @@ TEST_F(AnalyzeRoom, FindsDirectionsHeightsAndWalls) {
   ASSERT_EQ(structure.storeys.size(), 1u);
   EXPECT_NEAR(structure.storeys[0].floor_z, kFloorZ, 0.03);
   EXPECT_NEAR(structure.storeys[0].ceiling_z, kFloorZ + kHeight, 0.06);
-  EXPECT_NEAR(structure.storeys[0].baseboard_m, 0.07, 0.03);
 }
 
 TEST_F(AnalyzeRoom, EachCueCanBeSwitchedOff) {
