@@ -23,6 +23,8 @@ constexpr double kDoorDepth_m = 0.9;
 constexpr double kLeafThickness_m = 0.04;
 constexpr double kCameraClearance_m = 0.65;
 constexpr double kCameraSpacing_m = 1.6;
+// A place from which a whole room comes into view is worth this much clearance.
+constexpr double kViewWeight_m = 2.0;
 constexpr double kTwoCamerasArea_m2 = 13;
 constexpr double kMinOverlap_m2 = 1e-7;
 
@@ -145,7 +147,31 @@ Vector2d InnermostPlace(const Polygon2& polygon) {
   return best;
 }
 
-// The clearest of many random places, none when all are too narrow or too near to `taken`.
+// True when no wall of the room stands between two places in it.
+bool Sees(const HomeRoom& room, const Vector2d& from, const Vector2d& to) {
+  const double distance_m = (to - from).norm();
+  if (distance_m == 0) return true;
+  return RayDistance(room.polygon.outer, from, (to - from) / distance_m) >= distance_m;
+}
+
+// Points of a room on a coarse grid that none of `taken` sees past the room's own corners.
+std::vector<Vector2d> UnseenPoints(const HomeRoom& room, const Vector2d& low, const Vector2d& high,
+                                   const std::vector<Vector2d>& taken) {
+  constexpr double kStep_m = 0.3;
+  std::vector<Vector2d> points;
+  for (double y = low.y() + kStep_m / 2; y < high.y(); y += kStep_m) {
+    for (double x = low.x() + kStep_m / 2; x < high.x(); x += kStep_m) {
+      const Vector2d p(x, y);
+      const bool is_seen = std::any_of(taken.begin(), taken.end(),
+                                       [&](const Vector2d& q) { return Sees(room, q, p); });
+      if (Contains(room.polygon, p) && !is_seen) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+// The best of many random places, none when all are too narrow or too near to `taken`: clear of
+// walls and furniture, and with much of the room in view that was not seen yet.
 std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
                                       const std::vector<Vector2d>& taken, Random& random) {
   constexpr int kTries = 150;
@@ -154,7 +180,8 @@ std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  double best_m = kCameraClearance_m;
+  const std::vector<Vector2d> unseen = UnseenPoints(room, low, high, taken);
+  double best_value = 0;
   std::optional<Vector2d> best;
   for (int i = 0; i < kTries; ++i) {
     const Vector2d p(random.Millimetres(low.x(), high.x()), random.Millimetres(low.y(), high.y()));
@@ -163,8 +190,13 @@ std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
     const bool is_apart = std::all_of(taken.begin(), taken.end(), [&](const Vector2d& q) {
       return (p - q).norm() > kCameraSpacing_m;
     });
-    if (!is_apart || clear_m <= best_m) continue;
-    best_m = clear_m;
+    if (!is_apart || clear_m <= kCameraClearance_m) continue;
+    const auto num_new = std::count_if(unseen.begin(), unseen.end(),
+                                       [&](const Vector2d& q) { return Sees(room, p, q); });
+    const double share = static_cast<double>(num_new) / static_cast<double>(unseen.size() + 1);
+    const double value = clear_m + kViewWeight_m * share;
+    if (value <= best_value) continue;
+    best_value = value;
     best = p;
   }
   return best;
