@@ -93,8 +93,8 @@ int RunProgram(int argc, char** argv, Log& log) {
     return 128 + StopSignal();
   } catch (const std::bad_alloc&) {
     log.Error(
-        "memory: there is not enough; allow more with --max-memory, close other programs, give "
-        "smaller pictures or fewer --threads");
+        "memory: there is not enough; close other programs, give smaller pictures or fewer "
+        "--threads");
     return kExitInput;
   } catch (const std::filesystem::filesystem_error& error) {
     log.Error(PrintablePath(error.path1()) + ": " + error.code().message());
