@@ -106,16 +106,21 @@ MultiPolygon2 ProjectToPlan(const std::vector<Triangle>& triangles) {
   return region;
 }
 
+Eigen::AlignedBox2d PlanBounds(const std::vector<Triangle>& triangles) {
+  Eigen::AlignedBox2d bounds;
+  for (const Triangle& triangle : triangles) {
+    for (const Vector3d& corner : triangle) bounds.extend(Vector2d(corner.head<2>()));
+  }
+  return bounds;
+}
+
 // Lowest and highest surface over each cell of a grid on the plan; infinite where there is none.
 struct HeightMaps {
   Eigen::AlignedBox2d bounds;
   double cell_m = 0;
   Image<double> low, high;
 
-  explicit HeightMaps(const std::vector<Triangle>& triangles) {
-    for (const Triangle& triangle : triangles) {
-      for (const Vector3d& corner : triangle) bounds.extend(Vector2d(corner.head<2>()));
-    }
+  explicit HeightMaps(const std::vector<Triangle>& triangles) : bounds(PlanBounds(triangles)) {
     cell_m = std::max(kMinCell_m, bounds.sizes().maxCoeff() / kMaxCellsASide);
     const int rows = Cell(bounds.max().y(), bounds.min().y()) + 1;
     const int cols = Cell(bounds.max().x(), bounds.min().x()) + 1;
@@ -201,12 +206,12 @@ GroundTruth ReadObjTruth(const std::filesystem::path& path) {
   reader.Read(ReadFile(path, kMaxObjBytes));
   TruthRoom room;
   room.region = ProjectToPlan(reader.triangles);
-  const HeightMaps heights(reader.triangles);
-  if (room.region.empty() || heights.bounds.sizes().maxCoeff() > kMaxExtent_m) {
+  if (room.region.empty() || PlanBounds(reader.triangles).sizes().maxCoeff() > kMaxExtent_m) {
     throw InvalidInputError(path.native(),
                             "is no mesh of a room: its plan is empty or over 1 km wide",
                             "give a mesh in metres, z up");
   }
+  const HeightMaps heights(reader.triangles);
   room.floor_z = LevelHeight(heights.low);
   room.ceiling_z = LevelHeight(heights.high);
   GroundTruth truth;
