@@ -28,8 +28,11 @@ constexpr int kHeightColumnStep = 4;
 // Correlation is computed at every so many columns.
 constexpr int kCorrelationColumnStep = 4;
 constexpr std::array kCorrelatedFamilies = {0, 1, kFrontalFamily};
-// Panoramas nearer than the wall between them share a room.
-constexpr double kSameRoomSlack = 0.95;
+// Samples of a panorama's floor: every so many columns, so many along each.
+constexpr int kShareColumnStep = 16;
+constexpr int kShareRadii = 8;
+// Through an open door less than this share of a room is seen.
+constexpr double kMinShareSeen = 0.2;
 
 // What is kept of one panorama while its storey is solved.
 struct ViewWork {
@@ -37,6 +40,7 @@ struct ViewWork {
   LineResponse response;
   std::vector<uint8_t> is_seen;  // per column
   ColumnScores correlation;      // weighed
+  ColumnScores lines;            // weighed floor and ceiling lines
   WallPath path;
   CeilingEstimate ceiling;
 };
@@ -95,10 +99,13 @@ class StoreySolver {
     LoadPanoramas();
     if (options_.use_correlation) Correlate();
     EstimateFloorHeight();
-    FindPaths(false, false);
+    ScoreLines(false);
+    FindPaths(false);
     if (options_.use_correlation) Correlate();
     if (options_.use_ceiling) EstimateCeilingHeights();
-    FindPaths(options_.use_ceiling, true);
+    ScoreLines(options_.use_ceiling);
+    FindPaths(!options_.use_shared);
+    if (options_.use_shared) FindPathsTogether();
   }
 
   [[nodiscard]] StoreyStructure storey() const {
@@ -176,31 +183,22 @@ class StoreySolver {
 
   void Correlate() {
     std::vector<KnownDistances> known(works_.size());
-    for (size_t i = 0; i < works_.size(); ++i) known[i] = works_[i].path.wall_m;
+    std::vector<Vector2d> positions;
+    for (size_t i = 0; i < works_.size(); ++i) {
+      known[i] = works_[i].path.wall_m;
+      positions.push_back(works_[i].position.head<2>());
+    }
     ParallelFor(context_, "correlation", static_cast<int64_t>(works_.size()), [&](int64_t i) {
-      const ColumnScores raw =
-          CorrelateStrips(tables_, static_cast<int>(i), NearestOthers(static_cast<size_t>(i)),
-                          known, options_.num_columns, kCorrelationColumnStep, kCorrelatedFamilies,
-                          bins_, options_.correlation);
+      const ColumnScores raw = CorrelateStrips(tables_, static_cast<int>(i),
+                                               NearestOthers(positions, static_cast<size_t>(i)),
+                                               known, options_.num_columns, kCorrelationColumnStep,
+                                               kCorrelatedFamilies, bins_, options_.correlation);
       ColumnScores weighed;
       AddScores(raw, options_.correlation_weight, weighed);
       // A strip is narrow: at 45 degrees it looks much as it does frontally.
       weighed.family[2] = weighed.family[3] = weighed.family[kFrontalFamily];
       works_[static_cast<size_t>(i)].correlation = std::move(weighed);
     });
-  }
-
-  [[nodiscard]] std::vector<int> NearestOthers(size_t i) const {
-    std::vector<int> others;
-    for (size_t j = 0; j < works_.size(); ++j) {
-      if (j != i) others.push_back(static_cast<int>(j));
-    }
-    const auto distance = [&](int j) {
-      return (works_[static_cast<size_t>(j)].position - works_[i].position).head<2>().norm();
-    };
-    std::stable_sort(others.begin(), others.end(),
-                     [&](int a, int b) { return distance(a) < distance(b); });
-    return others;
   }
 
   // The two axis families at few columns: enough for heights.
@@ -212,8 +210,7 @@ class StoreySolver {
     for (size_t i = 0; i < works_.size(); ++i) {
       responses[i] = Thin(works_[i].response);
       correlations[i] = Thin(works_[i].correlation);
-      views.push_back(
-          {&responses[i], &correlations[i], works_[i].position.z(), options_.use_floor});
+      views.push_back({&responses[i], &correlations[i], works_[i].position, options_.use_floor});
     }
     use(views);
   }
@@ -273,29 +270,47 @@ class StoreySolver {
     for (size_t i = 0; i < works_.size(); ++i) works_[i].ceiling = estimates[i];
   }
 
-  // For each panorama those that lie before its walls and it before theirs.
+  // For each panorama those of its room: each sees enough of the floor that the other sees.
   [[nodiscard]] std::vector<std::vector<int>> SameRoom() const {
-    const auto is_before_wall = [&](const ViewWork& from, const ViewWork& to) {
-      const Vector2d ray = (to.position - from.position).head<2>();
-      const double turn = std::atan2(ray.y(), ray.x()) / (2 * kPi) + 0.5;
-      const int n = static_cast<int>(from.path.wall_m.size());
-      const int column = std::clamp(static_cast<int>(turn * n), 0, n - 1);
-      return ray.norm() < kSameRoomSlack * from.path.wall_m[static_cast<size_t>(column)];
-    };
     std::vector<std::vector<int>> same_room(works_.size());
     for (size_t i = 0; i < works_.size(); ++i) {
-      for (size_t j = 0; j < works_.size(); ++j) {
-        if (i != j && is_before_wall(works_[i], works_[j]) &&
-            is_before_wall(works_[j], works_[i])) {
-          same_room[i].push_back(static_cast<int>(j));
-        }
+      for (size_t j = 0; j < i; ++j) {
+        if (std::min(ShareSeen(works_[i], works_[j]), ShareSeen(works_[j], works_[i])) <
+            kMinShareSeen)
+          continue;
+        same_room[i].push_back(static_cast<int>(j));
+        same_room[j].push_back(static_cast<int>(i));
       }
     }
     return same_room;
   }
 
+  // Share of the floor before the walls of one panorama that lies before the walls of another.
+  [[nodiscard]] static double ShareSeen(const ViewWork& of, const ViewWork& by) {
+    const int num_columns = static_cast<int>(of.path.wall_m.size());
+    double seen = 0, total = 0;
+    for (int c = 0; c < num_columns; c += kShareColumnStep) {
+      const double azimuth = AzimuthOfColumn(c, num_columns);
+      const double wall_m = of.path.wall_m[static_cast<size_t>(c)];
+      for (int k = 0; k < kShareRadii; ++k) {
+        const double range = wall_m * (k + 0.5) / kShareRadii;
+        const Vector2d ray = of.position.head<2>() +
+                             range * Vector2d(std::cos(azimuth), std::sin(azimuth)) -
+                             by.position.head<2>();
+        const double area = wall_m * range;
+        total += area;
+        if (ray.norm() < DistanceTowards(by.path.wall_m, ray)) seen += area;
+      }
+    }
+    return seen / total;
+  }
+
   [[nodiscard]] ColumnScores FloorScores(const ViewWork& work) const {
     return ScoreFloor(work.response, work.position.z() - floor_.floor_z, floor_.baseboard_m, bins_);
+  }
+
+  [[nodiscard]] ColumnScores CeilingScores(const ViewWork& work) const {
+    return ScoreLine(work.response, work.position.z() - work.ceiling.ceiling_z, bins_);
   }
 
   void DropUnusedFamilies(ColumnScores& scores) const {
@@ -306,23 +321,62 @@ class StoreySolver {
     }
   }
 
-  void FindPaths(bool with_ceiling, bool with_likelihood) {
-    ParallelFor(context_, "wall profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+  // Floor and ceiling lines, weighed.
+  void ScoreLines(bool with_ceiling) {
+    ParallelFor(context_, "lines", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
-      ColumnScores scores = work.correlation;
+      work.lines = ColumnScores();
       if (options_.use_floor) {
         const ColumnScores floor = FloorScores(work);
         // Only the ceiling line can tell a wall behind an obstacle from the obstacle.
         const bool allow = options_.use_obstacles && with_ceiling;
         AddScores(allow ? AllowObstacles(floor, bins_, options_.obstacle) : floor,
-                  options_.floor_weight, scores);
+                  options_.floor_weight, work.lines);
       }
       if (with_ceiling) {
-        AddScores(ScoreLine(work.response, work.position.z() - work.ceiling.ceiling_z, bins_),
-                  options_.ceiling_weight * work.ceiling.weight, scores);
+        AddScores(CeilingScores(work), options_.ceiling_weight * work.ceiling.weight, work.lines);
       }
+      DropUnusedFamilies(work.lines);
+    });
+  }
+
+  void FindPaths(bool with_likelihood) {
+    ParallelFor(context_, "wall profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      ViewWork& work = works_[static_cast<size_t>(i)];
+      ColumnScores scores = work.lines;
+      AddScores(work.correlation, 1.0, scores);
       DropUnusedFamilies(scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, with_likelihood);
+    });
+  }
+
+  // Once more, each panorama with what the others of its room say to its walls. Only those: through
+  // a door another room's panorama would support what lies behind this one's walls.
+  void FindPathsTogether() {
+    std::vector<KnownDistances> known;
+    std::vector<Vector2d> positions;
+    std::vector<PlacedScores> views;
+    for (const ViewWork& work : works_) {
+      positions.push_back(work.position.head<2>());
+      known.push_back(work.path.wall_m);
+      views.push_back({positions.back(), &work.lines});
+    }
+    const std::vector<std::vector<int>> same_room = SameRoom();
+    ParallelFor(context_, "shared profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      ViewWork& work = works_[static_cast<size_t>(i)];
+      const std::vector<int>& room = same_room[static_cast<size_t>(i)];
+      std::vector<int> others = NearestOthers(positions, static_cast<size_t>(i));
+      std::erase_if(others,
+                    [&](int j) { return std::find(room.begin(), room.end(), j) == room.end(); });
+      const ColumnScores ceiling = CeilingScores(work);
+      ColumnScores scores = work.lines;
+      AddScores(work.correlation, 1.0, scores);
+      AddScores(ShareScores(views, static_cast<int>(i), others, known,
+                            options_.use_ceiling ? &ceiling : nullptr, kCorrelationColumnStep,
+                            bins_, options_.shared),
+                options_.shared_weight, scores);
+      DropUnusedFamilies(scores);
+      work.path = FindWallPath(scores, bins_, options_.viterbi, true);
     });
   }
 

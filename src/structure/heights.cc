@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "enfilade/base/check.h"
+#include "enfilade/structure/shared_scores.h"
 
 namespace enfilade {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 // Under a wrong floor line (a kerb, a cabinet's plinth) the other line fits at a wrong height and
 // distance. Only the correlation knows the distance: it weighs more in the search for heights.
 constexpr double kCorrelationFactor = 2.0;
+// So do the other panoramas.
+constexpr double kShareFactor = 2.0;
 // Weight of one squared standard deviation of the camera's height, mean response.
 constexpr double kPriorWeight = 0.01;
 // The last search for the floor's height.
@@ -27,23 +30,62 @@ constexpr double kBaseboardReach_m = 2.2;
 // One side of the floor line's lobe must exceed the other by this share of its rise.
 constexpr double kMinShoulder = 0.15;
 
-// Score of the best wall path of one panorama under hypothesised heights, as mean response a
-// column.
-double PathScore(const HeightView& view, double floor_z, double baseboard_m,
-                 const double* ceiling_z, const DistanceBins& bins,
-                 const PlaneViterbiOptions& viterbi) {
+// Scores of one panorama under hypothesised heights; without the correlation.
+ColumnScores LineScores(const HeightView& view, double floor_z, double baseboard_m,
+                        const double* ceiling_z, const DistanceBins& bins) {
   ColumnScores scores;
-  if (view.use_floor)
-    AddScores(ScoreFloor(*view.response, view.camera_z - floor_z, baseboard_m, bins), 1.0, scores);
+  if (view.use_floor) {
+    AddScores(ScoreFloor(*view.response, view.position.z() - floor_z, baseboard_m, bins), 1.0,
+              scores);
+  }
   if (ceiling_z != nullptr)
-    AddScores(ScoreLine(*view.response, view.camera_z - *ceiling_z, bins), 1.0, scores);
+    AddScores(ScoreLine(*view.response, view.position.z() - *ceiling_z, bins), 1.0, scores);
+  return scores;
+}
+
+// The best wall path; its score as mean response a column.
+WallPath BestPath(const HeightView& view, ColumnScores scores, const DistanceBins& bins,
+                  const PlaneViterbiOptions& viterbi) {
   AddScores(*view.correlation, kCorrelationFactor, scores);
-  return FindWallPath(scores, bins, viterbi, false).score / 360.0;
+  WallPath path = FindWallPath(scores, bins, viterbi, false);
+  path.score /= 360.0;
+  return path;
+}
+
+// How well one floor height explains all panoramas, as mean response: the best wall path of each,
+// and whether other panoramas see their lines where it has its walls. A wrong height moves every
+// wall away from its own camera, so that panoramas contradict each other.
+double FloorScore(std::span<const HeightView> views, double floor_z, double baseboard_m,
+                  const DistanceBins& bins, const PlaneViterbiOptions& viterbi) {
+  std::vector<ColumnScores> scores(views.size());
+  std::vector<Eigen::Vector2d> positions;
+  std::vector<PlacedScores> placed;
+  std::vector<WallPath> paths;
+  std::vector<KnownDistances> known;
+  // Whether walls are contradicted depends on furniture, not on the height.
+  SharedScoresOptions share;
+  share.contradiction = 0;
+  double sum = 0;
+  for (size_t v = 0; v < views.size(); ++v) {
+    scores[v] = LineScores(views[v], floor_z, baseboard_m, nullptr, bins);
+    positions.push_back(views[v].position.head<2>());
+    placed.push_back({positions.back(), &scores[v]});
+    paths.push_back(BestPath(views[v], scores[v], bins, viterbi));
+    known.push_back(paths.back().wall_m);
+    sum += paths.back().score;
+  }
+  for (size_t v = 0; v < views.size(); ++v) {
+    if (views[v].use_floor) {
+      sum += kShareFactor * ShareOfPath(placed, static_cast<int>(v), paths[v],
+                                        NearestOthers(positions, v), known, bins, share);
+    }
+  }
+  return sum / static_cast<double>(views.size());
 }
 
 double MedianCameraZ(std::span<const HeightView> views) {
   std::vector<double> z;
-  for (const HeightView& view : views) z.push_back(view.camera_z);
+  for (const HeightView& view : views) z.push_back(view.position.z());
   std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2), z.end());
   return z[z.size() / 2];
 }
@@ -68,33 +110,23 @@ double PeakPosition(const std::vector<double>& curve, const std::vector<double>&
          (x[i + 1] - x[i]) * std::clamp(0.5 * (curve[i - 1] - curve[i + 1]) / curvature, -0.5, 0.5);
 }
 
-// Mean over the views of the path score of each floor height, with the log prior on the camera
-// height.
+// The score of each floor height, with the log prior on the camera height.
 std::vector<double> ScoreFloors(std::span<const HeightView> views,
                                 const std::vector<double>& floors, double baseboard_m,
                                 double prior_camera_m, const DistanceBins& bins,
                                 const PlaneViterbiOptions& viterbi, const HeightOptions& options,
                                 RunContext& context) {
-  const int64_t num_views = static_cast<int64_t>(views.size());
-  std::vector<double> scores(floors.size() * views.size());
-  ParallelFor(context, "floor height", static_cast<int64_t>(scores.size()), [&](int64_t i) {
-    scores[static_cast<size_t>(i)] =
-        PathScore(views[static_cast<size_t>(i % num_views)],
-                  floors[static_cast<size_t>(i / num_views)], baseboard_m, nullptr, bins, viterbi);
-  });
   const double median_z = MedianCameraZ(views);
-  std::vector<double> means;
-  for (size_t h = 0; h < floors.size(); ++h) {
-    double sum = 0;
-    for (size_t v = 0; v < views.size(); ++v) sum += scores[h * views.size() + v];
-    double mean = sum / static_cast<double>(views.size());
+  std::vector<double> scores(floors.size());
+  ParallelFor(context, "floor height", static_cast<int64_t>(floors.size()), [&](int64_t i) {
+    const size_t h = static_cast<size_t>(i);
+    scores[h] = FloorScore(views, floors[h], baseboard_m, bins, viterbi);
     if (prior_camera_m > 0) {
       const double off = (median_z - floors[h] - prior_camera_m) / options.camera_prior_sigma_m;
-      mean -= kPriorWeight * std::min(off * off, 100.0);
+      scores[h] -= kPriorWeight * std::min(off * off, 100.0);
     }
-    means.push_back(mean);
-  }
-  return means;
+  });
+  return scores;
 }
 
 // Mean response, along the near walls that a single floor line finds, at each height about that
@@ -105,12 +137,12 @@ std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double
   std::vector<std::vector<double>> profiles(views.size(), std::vector<double>(heights.size()));
   ParallelFor(context, "baseboard", static_cast<int64_t>(views.size()), [&](int64_t i) {
     const HeightView& view = views[static_cast<size_t>(i)];
-    ColumnScores scores = ScoreFloor(*view.response, view.camera_z - floor_z, 0, bins);
+    ColumnScores scores = ScoreFloor(*view.response, view.position.z() - floor_z, 0, bins);
     AddScores(*view.correlation, 1.0, scores);
     const WallPath path = FindWallPath(scores, bins, viterbi, false);
     for (size_t h = 0; h < heights.size(); ++h) {
       const ColumnScores line =
-          ScoreLine(*view.response, view.camera_z - floor_z - heights[h], bins);
+          ScoreLine(*view.response, view.position.z() - floor_z - heights[h], bins);
       double sum = 0;
       for (size_t c = 0; c < path.wall_m.size(); ++c) {
         if (path.wall_m[c] > kBaseboardReach_m) continue;
@@ -214,9 +246,12 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
         const size_t v = static_cast<size_t>(i) / num_heights,
                      h = static_cast<size_t>(i) % num_heights;
         const double ceiling_z = floor.floor_z + heights[h];
-        if (ceiling_z < views[v].camera_z + 0.2) return;
+        if (ceiling_z < views[v].position.z() + 0.2) return;
         curves[v][h] =
-            PathScore(views[v], floor.floor_z, floor.baseboard_m, &ceiling_z, bins, viterbi);
+            BestPath(views[v],
+                     LineScores(views[v], floor.floor_z, floor.baseboard_m, &ceiling_z, bins), bins,
+                     viterbi)
+                .score;
       });
   for (std::vector<double>& curve : curves) {
     const double median = Median(curve);
@@ -237,7 +272,8 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
     std::vector<double> pooled = room;
     for (size_t h = 0; h < num_heights; ++h) pooled[h] += options.home_weight * home[h];
     const size_t best = ArgMax(pooled);
-    const double contrast = room[best] / static_cast<double>(same_room[v].size() + 1);
+    const double contrast =
+        pooled[best] / (static_cast<double>(same_room[v].size() + 1) + options.home_weight);
     context.log().Debug(
         fmt::format("ceiling {:.2f} m above the floor, contrast {:.3f}", heights[best], contrast));
     const double level = std::clamp(contrast / options.level_contrast, 0.0, 1.0);

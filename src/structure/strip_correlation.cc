@@ -20,17 +20,8 @@ constexpr int kHalfLines = 3;
 constexpr int kNumLines = 2 * kHalfLines + 1;
 // The correlation changes slowly with distance: it is computed at every so many bins.
 constexpr int kBinStep = 2;
-// Walls seen at a smaller angle than this by either camera are not compared.
-constexpr double kMinIncidenceSin = 0.15;
-// A panorama sees a point that lies no farther than its wall in that direction, with this slack.
-constexpr double kVisibilitySlack = 1.12;
-constexpr double kVisibilitySlack_m = 0.15;
 
-int AzimuthIndex(const Vector2d& v) {
-  const double turn = std::atan2(v.y(), v.x()) / (2 * kPi) + 0.5;
-  return std::clamp(static_cast<int>(turn * StripTable::kNumAzimuths), 0,
-                    StripTable::kNumAzimuths - 1);
-}
+int AzimuthIndex(const Vector2d& ray) { return ColumnOf(ray, StripTable::kNumAzimuths); }
 
 // The upright lines of a strip on its wall plane.
 struct Strip {
@@ -90,7 +81,9 @@ class Correlator {
     for (const int other : others_) {
       if (count >= options_.max_views) break;
       const StripTable& table = tables_[static_cast<size_t>(other)];
-      if (!WouldSee(table, known_[static_cast<size_t>(other)], strip, normal)) continue;
+      if (!WouldSee({strip.foot[kHalfLines], normal, self_.position()}, table.position(),
+                    known_[static_cast<size_t>(other)], options_.max_view_distance_m))
+        continue;
       double correlation = 0;
       if (!Compare(strip, table, &correlation)) continue;
       sum += correlation;
@@ -117,22 +110,6 @@ class Correlator {
       strip.line[slot] = self_.line(AzimuthIndex(ray), static_cast<int>(r_bin));
     }
     return strip;
-  }
-
-  [[nodiscard]] bool WouldSee(const StripTable& table, const KnownDistances& known,
-                              const Strip& strip, const Vector2d& normal) const {
-    const Vector2d& center = strip.foot[kHalfLines];
-    const Vector2d ray = center - table.position();
-    const double range = ray.norm();
-    if (range > options_.max_view_distance_m || range < bins_.min_m) return false;
-    const double side = normal.dot(table.position() - center);
-    const double own_side = normal.dot(self_.position() - center);
-    if (side * own_side <= 0 || std::abs(side) < kMinIncidenceSin * range) return false;
-    if (known.empty()) return true;
-    const double turn = std::atan2(ray.y(), ray.x()) / (2 * kPi) + 0.5;
-    const int column = std::clamp(static_cast<int>(turn * static_cast<double>(known.size())), 0,
-                                  static_cast<int>(known.size()) - 1);
-    return range <= kVisibilitySlack * known[static_cast<size_t>(column)] + kVisibilitySlack_m;
   }
 
   [[nodiscard]] bool Compare(const Strip& strip, const StripTable& table,

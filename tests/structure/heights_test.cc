@@ -18,7 +18,7 @@ const DistanceBins kBins{0.3, 0.015, 220};
 // A panorama in a room, as a perfect line detector and a perfect correlation would see it.
 struct PerfectView {
   PerfectView(const BoxRoom& room, const Eigen::Vector3d& camera, bool has_ceiling_line = true)
-      : camera_z(camera.z()), truth(TruthOfColumns(room, camera.head<2>(), kColumns)) {
+      : position(camera), truth(TruthOfColumns(room, camera.head<2>(), kColumns)) {
     std::vector<double> heights = {room.floor_z - camera.z()};
     if (room.baseboard_m > 0) heights.push_back(room.floor_z + room.baseboard_m - camera.z());
     if (has_ceiling_line) heights.push_back(room.ceiling_z - camera.z());
@@ -27,7 +27,7 @@ struct PerfectView {
     correlation = PerfectScores(truth, kBins, 1.0, 8);
   }
 
-  double camera_z;
+  Eigen::Vector3d position;
   ColumnTruth truth;
   LineResponse response;
   ColumnScores correlation;
@@ -35,7 +35,7 @@ struct PerfectView {
 
 std::vector<HeightView> ViewsOf(const std::vector<PerfectView>& perfect) {
   std::vector<HeightView> views;
-  for (const PerfectView& p : perfect) views.push_back({&p.response, &p.correlation, p.camera_z});
+  for (const PerfectView& p : perfect) views.push_back({&p.response, &p.correlation, p.position});
   return views;
 }
 

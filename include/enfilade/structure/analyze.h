@@ -13,6 +13,7 @@
 #include "enfilade/structure/heights.h"
 #include "enfilade/structure/line_response.h"
 #include "enfilade/structure/plane_viterbi.h"
+#include "enfilade/structure/shared_scores.h"
 #include "enfilade/structure/strip_correlation.h"
 #include "enfilade/structure/types.h"
 
@@ -26,16 +27,19 @@ struct StructureOptions {
   bool use_floor = true;
   bool use_ceiling = true;
   bool use_correlation = true;
+  bool use_shared = true;
   bool use_obstacles = true;
   bool use_diagonals = true;
   bool use_frontal = true;
   double floor_weight = 1.0;
   double ceiling_weight = 0.6;
   double correlation_weight = 1.5;
+  double shared_weight = 1.0;
   HeadingOptions heading;
   LineResponseOptions line;
   ObstacleOptions obstacle;
   StripCorrelationOptions correlation;
+  SharedScoresOptions shared;
   HeightOptions height;
   PlaneViterbiOptions viterbi;
 
@@ -48,16 +52,19 @@ struct StructureOptions {
     v("use_floor", use_floor, "Use the floor line.");
     v("use_ceiling", use_ceiling, "Use the ceiling line.");
     v("use_correlation", use_correlation, "Use the correlation with other panoramas.");
+    v("use_shared", use_shared, "Use the lines that other panoramas see.");
     v("use_obstacles", use_obstacles, "Let something stand before a wall.");
     v("use_diagonals", use_diagonals, "Allow walls at 45 degrees.");
     v("use_frontal", use_frontal, "Allow walls of free direction.");
     v("floor_weight", floor_weight, "Weight of the floor line.", {0.0, 10.0});
     v("ceiling_weight", ceiling_weight, "Weight of the ceiling line.", {0.0, 10.0});
     v("correlation_weight", correlation_weight, "Weight of the correlation.", {0.0, 10.0});
+    v("shared_weight", shared_weight, "Weight of the lines that other panoramas see.", {0.0, 10.0});
     v("heading", heading, "Heading of the walls.");
     v("line", line, "Response to floor and ceiling lines.");
     v("obstacle", obstacle, "Things that stand before a wall.");
     v("correlation", correlation, "Correlation of wall strips.");
+    v("shared", shared, "Lines that other panoramas see.");
     v("height", height, "Heights of floor and ceiling.");
     v("viterbi", viterbi, "Choice of the walls round a panorama.");
   }

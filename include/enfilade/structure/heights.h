@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct HeightOptions {
   double step_m = 0.04;
   double max_baseboard_m = 0.16;
   double home_weight = 0.5;
-  double level_contrast = 0.05;
+  double level_contrast = 0.2;
 
   void Visit(OptionVisitor& v) {
     v("min_camera_m", min_camera_m, "Lowest camera above the floor, metres.", {0.1, 5.0});
@@ -44,7 +45,7 @@ struct HeightOptions {
 struct HeightView {
   const LineResponse* response = nullptr;     ///< at few columns: the search is coarse in azimuth
   const ColumnScores* correlation = nullptr;  ///< weighed; may be empty
-  double camera_z = 0;
+  Eigen::Vector3d position{0, 0, 0};          ///< of the camera
   bool use_floor = true;
 };
 
@@ -54,9 +55,9 @@ struct FloorEstimate {
   double contrast = 0;     ///< score at the optimum above the median candidate, mean response
 };
 
-/// The floor of one storey, common to its panoramas: the height at which floor lines and
-/// correlation agree best, summed over the best wall paths of all of them. `prior_camera_m` 0 means
-/// unknown.
+/// The floor of one storey, common to its panoramas: the height at which floor lines, correlation
+/// and the panoramas among each other agree best, summed over the best wall paths of all of them: a
+/// wrong height moves every wall away from its own camera. `prior_camera_m` 0 means unknown.
 [[nodiscard]] FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_camera_m,
                                           const DistanceBins& bins,
                                           const PlaneViterbiOptions& viterbi,

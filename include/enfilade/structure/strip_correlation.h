@@ -9,6 +9,7 @@
 #include "enfilade/base/options.h"
 #include "enfilade/structure/column_scores.h"
 #include "enfilade/structure/level_panorama.h"
+#include "enfilade/structure/wall_sight.h"
 
 namespace enfilade {
 
@@ -56,10 +57,6 @@ class StripTable {
   int num_bins_;
   std::vector<uint8_t> grey_;  // kNumAzimuths × bins × kNumHeights
 };
-
-/// What is known of where the walls are, to tell which panoramas would see a point: distance for
-/// each of any number of columns (AzimuthOfColumn); empty when nothing is known.
-using KnownDistances = std::vector<double>;
 
 /// Correlation of wall strips with other panoramas: for each family, column and distance the wall
 /// plane through that point carries a strip of this panorama into up to max_views others
