@@ -128,7 +128,7 @@ ColumnScores ShareScores(std::span<const PlacedScores> views, int self, std::spa
   const Sharer sharer(views, self, others, known, own_ceiling, bins, options);
   const ColumnScores& own = *views[static_cast<size_t>(self)].scores;
   ColumnScores shared;
-  for (int f = 0; f < kNumFamilies; ++f) {
+  for (int f = 0; f < kNumPlaneFamilies; ++f) {
     const int num_columns = own.family[static_cast<size_t>(f)].rows();
     if (num_columns == 0) continue;
     ImageF score(num_columns, bins.count);

@@ -34,7 +34,7 @@ struct StructureOptions {
   double floor_weight = 1.0;
   double ceiling_weight = 0.6;
   double correlation_weight = 1.5;
-  double shared_weight = 1.0;
+  double shared_weight = 0.6;
   HeadingOptions heading;
   LineResponseOptions line;
   ObstacleOptions obstacle;

@@ -41,7 +41,8 @@ struct PlacedScores {
 /// there. A bin that covers several of the other's bins takes the strongest. Panoramas that see
 /// past the point, to a wall behind it, contradict instead: up to `contradiction` is taken off,
 /// less where the panorama itself sees the wall meet the ceiling (furniture does not). Zero where
-/// nobody would see the point. Computed every `column_step` columns and repeated between.
+/// nobody would see the point. The frontal family is left out: its planes are no planes seen from
+/// elsewhere. Computed every `column_step` columns and repeated between.
 ///
 /// `others` are indices into `views` sorted by preference (nearest first); `known` has one entry a
 /// view; `own_ceiling` is the response of this panorama's ceiling line, null when not known.
