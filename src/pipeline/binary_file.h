@@ -50,6 +50,7 @@ class BinaryReader {
   [[nodiscard]] int GetSize(int max);
   template <typename T>
   void GetArray(std::span<T> values) {
+    if (values.empty()) return;
     std::memcpy(values.data(), Take(values.size_bytes()), values.size_bytes());
   }
   /// As above; NaN and infinities are refused.
