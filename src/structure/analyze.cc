@@ -197,6 +197,7 @@ class StoreySolver {
       AddScores(raw, options_.correlation_weight, weighed);
       // A strip is narrow: at 45 degrees it looks much as it does frontally.
       weighed.family[2] = weighed.family[3] = weighed.family[kFrontalFamily];
+      DropUnusedFamilies(weighed);
       works_[static_cast<size_t>(i)].correlation = std::move(weighed);
     });
   }
@@ -336,7 +337,6 @@ class StoreySolver {
       if (with_ceiling) {
         AddScores(CeilingScores(work), options_.ceiling_weight * work.ceiling.weight, work.lines);
       }
-      DropUnusedFamilies(work.lines);
     });
   }
 
@@ -345,7 +345,6 @@ class StoreySolver {
       ViewWork& work = works_[static_cast<size_t>(i)];
       ColumnScores scores = work.lines;
       AddScores(work.correlation, 1.0, scores);
-      DropUnusedFamilies(scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, with_likelihood);
     });
   }
@@ -375,7 +374,6 @@ class StoreySolver {
                             options_.use_ceiling ? &ceiling : nullptr, kCorrelationColumnStep,
                             bins_, options_.shared),
                 options_.shared_weight, scores);
-      DropUnusedFamilies(scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, true);
     });
   }

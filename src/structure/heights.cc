@@ -55,10 +55,10 @@ WallPath BestPath(const HeightView& view, ColumnScores scores, const DistanceBin
 // How well one floor height explains all panoramas, as mean response: the best wall path of each,
 // and whether other panoramas see their lines where it has its walls. A wrong height moves every
 // wall away from its own camera, so that panoramas contradict each other.
-double FloorScore(std::span<const HeightView> views, double floor_z, double baseboard_m,
-                  const DistanceBins& bins, const PlaneViterbiOptions& viterbi) {
+double FloorScore(std::span<const HeightView> views, const std::vector<std::vector<int>>& others,
+                  double floor_z, double baseboard_m, const DistanceBins& bins,
+                  const PlaneViterbiOptions& viterbi) {
   std::vector<ColumnScores> scores(views.size());
-  std::vector<Eigen::Vector2d> positions;
   std::vector<PlacedScores> placed;
   std::vector<WallPath> paths;
   std::vector<KnownDistances> known;
@@ -68,16 +68,15 @@ double FloorScore(std::span<const HeightView> views, double floor_z, double base
   double sum = 0;
   for (size_t v = 0; v < views.size(); ++v) {
     scores[v] = LineScores(views[v], floor_z, baseboard_m, nullptr, bins);
-    positions.push_back(views[v].position.head<2>());
-    placed.push_back({positions.back(), &scores[v]});
+    placed.push_back({views[v].position.head<2>(), &scores[v]});
     paths.push_back(BestPath(views[v], scores[v], bins, viterbi));
     known.push_back(paths.back().wall_m);
     sum += paths.back().score;
   }
   for (size_t v = 0; v < views.size(); ++v) {
     if (views[v].use_floor) {
-      sum += kShareFactor * ShareOfPath(placed, static_cast<int>(v), paths[v],
-                                        NearestOthers(positions, v), known, bins, share);
+      sum += kShareFactor *
+             ShareOfPath(placed, static_cast<int>(v), paths[v], others[v], known, bins, share);
     }
   }
   return sum / static_cast<double>(views.size());
@@ -116,11 +115,15 @@ std::vector<double> ScoreFloors(std::span<const HeightView> views,
                                 double prior_camera_m, const DistanceBins& bins,
                                 const PlaneViterbiOptions& viterbi, const HeightOptions& options,
                                 RunContext& context) {
+  std::vector<Eigen::Vector2d> positions;
+  for (const HeightView& view : views) positions.push_back(view.position.head<2>());
+  std::vector<std::vector<int>> others;
+  for (size_t v = 0; v < views.size(); ++v) others.push_back(NearestOthers(positions, v));
   const double median_z = MedianCameraZ(views);
   std::vector<double> scores(floors.size());
   ParallelFor(context, "floor height", static_cast<int64_t>(floors.size()), [&](int64_t i) {
     const size_t h = static_cast<size_t>(i);
-    scores[h] = FloorScore(views, floors[h], baseboard_m, bins, viterbi);
+    scores[h] = FloorScore(views, others, floors[h], baseboard_m, bins, viterbi);
     if (prior_camera_m > 0) {
       const double off = (median_z - floors[h] - prior_camera_m) / options.camera_prior_sigma_m;
       scores[h] -= kPriorWeight * std::min(off * off, 100.0);
