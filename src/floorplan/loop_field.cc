@@ -56,9 +56,11 @@ void NormaliseLogOdds(const EvidenceGrids& evidence, const FloorplanOptions& opt
                       LoopField& field) {
   for (size_t i = 0; i < evidence.wall.data().size(); ++i) {
     const float wall = evidence.wall.data()[i], free = evidence.free.data()[i];
-    field.faceness.data()[i] =
-        std::clamp(wall / static_cast<float>(options.seen_wall_log_odds), 0.0F, 1.0F);
     field.freeness.data()[i] = std::tanh(0.5F * free);
+    // No face stands where panoramas look through.
+    field.faceness.data()[i] =
+        std::clamp(wall / static_cast<float>(options.seen_wall_log_odds), 0.0F, 1.0F) *
+        (1 - std::max(field.freeness.data()[i], 0.0F));
     field.solidity.data()[i] = static_cast<float>(options.wall_share) * std::max(wall, 0.0F) - free;
   }
 }

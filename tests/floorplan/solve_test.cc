@@ -166,6 +166,18 @@ TEST(SolveFloorplan, AnErrorInsideTheRoomIsNoWall) {
   ExpectPlan(Solve(grids), truth, 0.005);
 }
 
+// A panorama that looks along the wall supposes that it goes on across the alcove; the others look
+// through. Nobody stands in the alcove.
+TEST(SolveFloorplan, AFaceAcrossFreeSpaceClosesNoAlcove) {
+  const MultiPolygon2 truth = {
+      {{{0, 0}, {5, 0}, {5, 4}, {3, 4}, {3, 6.5}, {0.5, 6.5}, {0.5, 4}, {0, 4}}, {}}};
+  EvidenceGrids grids = DrawEvidence(truth, {.log_odds = 2});
+  for (int row = grids.frame.Row(3.9); row < grids.frame.rows; ++row)
+    std::fill_n(grids.core.row(row), grids.frame.cols, uint8_t{0});
+  AddEvidence(Box(0.55, 4, 2.95, 4.03), 0, 3, grids);
+  ExpectPlan(Solve(grids), truth, 0.005);
+}
+
 TEST(SolveFloorplan, ALeakBehindTheWallIsLeftOut) {
   const MultiPolygon2 truth = {Box(0, 0, 5, 4)};
   EvidenceGrids grids = DrawEvidence(truth, {.margin_m = 3});

@@ -21,7 +21,7 @@ struct FloorplanOptions {
   double turn_cost_m = 0.25;
   double margin_m = 2.5;
   double seen_wall_log_odds = 2;
-  double free_depth_m = 0.3;
+  double free_depth_m = 0.5;
   double outside_weight = 8;
   double inside_weight = 8;
 
