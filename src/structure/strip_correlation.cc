@@ -18,6 +18,8 @@ using Eigen::Vector2d;
 constexpr int kHeights = StripTable::kNumHeights;
 constexpr int kHalfLines = 3;
 constexpr int kNumLines = 2 * kHalfLines + 1;
+// Weight of the linear change along a strip beside the rest of what varies.
+constexpr double kTrendShare = 0.1;
 // The correlation changes slowly with distance: it is computed at every so many bins.
 constexpr int kBinStep = 2;
 
@@ -30,12 +32,16 @@ struct Strip {
   bool is_valid = true;
 };
 
-// Sums over the lines of a strip, one for each height. Correlating what varies along the wall at
-// one height leaves out the change from floor to wall to ceiling, which any hypothesis would share.
+// Sums over the lines of a strip, one for each height, with t = −kHalfLines … kHalfLines along the
+// wall. Correlating what varies along the wall at one height leaves out the change from floor to
+// wall to ceiling, which any hypothesis would share. Its linear part counts little: the slow
+// shading of bare walls looks alike on any plane nearby.
 struct Moments {
-  std::array<int32_t, kHeights> sum_a{}, sum_b{}, sum_aa{}, sum_bb{}, sum_ab{};
+  static constexpr int kSumTT = kHalfLines * (kHalfLines + 1) * kNumLines / 3;
 
-  void Add(const uint8_t* a, const uint8_t* b) {
+  std::array<int32_t, kHeights> sum_a{}, sum_b{}, sum_aa{}, sum_bb{}, sum_ab{}, sum_ta{}, sum_tb{};
+
+  void Add(int t, const uint8_t* a, const uint8_t* b) {
     for (size_t i = 0; i < kHeights; ++i) {
       const int32_t x = a[i], y = b[i];
       sum_a[i] += x;
@@ -43,19 +49,28 @@ struct Moments {
       sum_aa[i] += x * x;
       sum_bb[i] += y * y;
       sum_ab[i] += x * y;
+      sum_ta[i] += t * x;
+      sum_tb[i] += t * y;
     }
   }
 
   [[nodiscard]] double Correlation(double noise_variance) const {
-    int64_t aa = 0, bb = 0, ab = 0;
+    int64_t aa = 0, bb = 0, ab = 0, trend_aa = 0, trend_bb = 0, trend_ab = 0;
     for (size_t i = 0; i < kHeights; ++i) {
       aa += kNumLines * sum_aa[i] - sum_a[i] * sum_a[i];
       bb += kNumLines * sum_bb[i] - sum_b[i] * sum_b[i];
       ab += kNumLines * sum_ab[i] - sum_a[i] * sum_b[i];
+      trend_aa += sum_ta[i] * sum_ta[i];
+      trend_bb += sum_tb[i] * sum_tb[i];
+      trend_ab += sum_ta[i] * sum_tb[i];
     }
+    constexpr double kTrend = (1 - kTrendShare) * kNumLines / kSumTT;
+    const auto weighed = [](int64_t all, int64_t trend) {
+      return static_cast<double>(all) - kTrend * static_cast<double>(trend);
+    };
     const double noise = noise_variance * kHeights * kNumLines * kNumLines;
-    return static_cast<double>(ab) /
-           std::sqrt((static_cast<double>(aa) + noise) * (static_cast<double>(bb) + noise) + 1e-12);
+    return weighed(ab, trend_ab) /
+           std::sqrt((weighed(aa, trend_aa) + noise) * (weighed(bb, trend_bb) + noise) + 1e-12);
   }
 };
 
@@ -119,7 +134,7 @@ class Correlator {
       const Vector2d ray = strip.foot[static_cast<size_t>(i)] - table.position();
       const double bin = bins_.Bin(ray.norm()) + 0.5;
       if (bin < 0 || bin >= bins_.count) return false;
-      moments.Add(strip.line[static_cast<size_t>(i)],
+      moments.Add(i - kHalfLines, strip.line[static_cast<size_t>(i)],
                   table.line(AzimuthIndex(ray), static_cast<int>(bin)));
     }
     *correlation = moments.Correlation(options_.noise * options_.noise);

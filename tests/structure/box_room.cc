@@ -60,7 +60,8 @@ double BoxRoom::Grey(const Vector3d& position, const Vector3d& ray) const {
   if (z < floor_z + baseboard_m) return baseboard_grey;
   const double along = (from + hit.distance * to)[1 - hit.axis] + (hit.is_max_side ? 0.0 : 11.0);
   const double shading = (hit.axis == 0 ? 1 : -1) * wall_shading * (hit.is_max_side ? 1.0 : 0.5);
-  return wall_grey + shading + wall_texture * Pattern(along, z);
+  return wall_grey + shading + wall_slope * (from + hit.distance * to)[1 - hit.axis] +
+         wall_texture * Pattern(along, z);
 }
 
 double BoxRoom::WallDistance(const Vector2d& position, double azimuth_rad) const {

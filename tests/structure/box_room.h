@@ -24,6 +24,7 @@ struct BoxRoom {
   double baseboard_grey = 235;
   double wall_grey = 190;
   double wall_shading = 12;  ///< how much the walls of different direction differ
+  double wall_slope = 0;     ///< change of grey along the walls, a metre
   double wall_texture = 0;   ///< amplitude of a smooth pattern on the walls
   double ceiling_grey = 225;
 

@@ -77,20 +77,29 @@ TEST(CorrelateStrips, PeaksAtTheTrueDistanceOfATexturedWall) {
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.02);
   EXPECT_LT(errors[errors.size() * 8 / 10], 0.05);
-  EXPECT_GT(at_truth, 0.85);
+  EXPECT_GT(at_truth, 0.7);  // less than 1 because the linear part counts little
 }
 
-TEST(CorrelateStrips, ABlankWallSaysNothing) {
-  const BoxRoom room;
+// Expects low scores everywhere along the walls that both cameras see.
+void ExpectSilence(const BoxRoom& room, double limit) {
   const ColumnTruth truth = TruthOfColumns(room, kHere.head<2>(), kColumns);
   const ColumnScores scores = Correlate(MakeTables(room, 1), kNothingKnown);
   for (const int c : ComparableColumns(truth)) {
     const size_t i = static_cast<size_t>(c);
     EXPECT_LT(std::abs(scores.family[static_cast<size_t>(truth.family[i])](
                   c, static_cast<int>(std::lround(kBins.Bin(truth.wall_m[i]))))),
-              0.15)
+              limit)
         << c;
   }
+}
+
+TEST(CorrelateStrips, ABlankWallSaysNothing) { ExpectSilence(BoxRoom(), 0.15); }
+
+// It would agree with itself on every plane nearby.
+TEST(CorrelateStrips, SlowShadingOfABareWallSaysNothing) {
+  BoxRoom room;
+  room.wall_slope = 15;
+  ExpectSilence(room, 0.15);
 }
 
 TEST(CorrelateStrips, PointsBehindTheOthersWallsAreNotCompared) {

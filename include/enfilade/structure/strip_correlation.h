@@ -61,8 +61,9 @@ class StripTable {
 /// Correlation of wall strips with other panoramas: for each family, column and distance the wall
 /// plane through that point carries a strip of this panorama into up to max_views others
 /// that would see it; the score is the mean of the normalised cross-correlations of what varies
-/// along the wall at each height, shrunk where the strip has less contrast than the noise. Families
-/// of `families`; columns computed every `column_step` and repeated between.
+/// along the wall at each height, shrunk where the strip has less contrast than the noise. The
+/// linear part of the variation weighs a tenth: slow shading agrees with itself on every plane
+/// nearby. Families of `families`; columns computed every `column_step` and repeated between.
 ///
 /// `others` are indices into `tables` sorted by preference (nearest first); `known` has one entry a
 /// table.
