@@ -121,6 +121,7 @@ PolarView::PolarView(const DistanceBins& bins, std::vector<const WallSample*> co
     const auto wall_m = static_cast<float>(sample.wall_m);
     column.mode_m = std::abs(wall_m - mode_m) <= width ? wall_m : mode_m;
     column.obstacle_m = static_cast<float>(sample.obstacle_m);
+    column.confidence = static_cast<float>(sample.confidence);
     const auto* first = std::upper_bound(cdf, cdf + stride, kNegligible) - 1;
     const auto* last = std::lower_bound(cdf, cdf + stride - 1, 1 - kNegligible);
     column.clear_m = bins.edge_m(static_cast<int>(first - cdf));
@@ -194,9 +195,11 @@ std::optional<PolarReading> PolarView::Read(const Eigen::Vector2f& offset, float
   if (is_behind) return std::nullopt;
   PolarReading reading;
   reading.obstacle_m = std::min(columns_[n.column[0]].obstacle_m, columns_[n.column[1]].obstacle_m);
+  reading.trust = n.weight[0] * columns_[n.column[0]].confidence +
+                  n.weight[1] * columns_[n.column[1]].confidence;
   if (!trust_.empty()) {
-    reading.trust = n.weight[0] * bins_->Evaluate(RowOf(trust_, n.column[0]), r_m) +
-                    n.weight[1] * bins_->Evaluate(RowOf(trust_, n.column[1]), r_m);
+    reading.trust *= n.weight[0] * bins_->Evaluate(RowOf(trust_, n.column[0]), r_m) +
+                     n.weight[1] * bins_->Evaluate(RowOf(trust_, n.column[1]), r_m);
   }
   if (is_before) return reading;
   for (int k = 0; k < 2; ++k) {

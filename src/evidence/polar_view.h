@@ -88,6 +88,7 @@ class PolarView {
     float half_spread_rad;
     float mode_m;  // most likely distance
     float obstacle_m;
+    float confidence;
     float clear_m;  // no mass nearer than this
     float end_m;    // no mass farther than this
   };

@@ -14,6 +14,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/structure/level_panorama.h"
+#include "enfilade/structure/wall_confidence.h"
 
 namespace enfilade {
 namespace {
@@ -127,12 +128,9 @@ class StoreySolver {
     profile.is_seen = work.is_seen;
     profile.wall_probability = Probabilities(work.path.log_likelihood);
     const std::vector<double> obstacles = Obstacles(work);
-    for (size_t c = 0; c < work.path.wall_m.size(); ++c) {
-      profile.wall_m.push_back(static_cast<float>(work.path.wall_m[c]));
-      profile.obstacle_m.push_back(static_cast<float>(obstacles[c]));
-      profile.confidence.push_back(
-          Confidence(profile.wall_probability.row(static_cast<int>(c)), work.path.wall_m[c]));
-    }
+    profile.wall_m.assign(work.path.wall_m.begin(), work.path.wall_m.end());
+    profile.obstacle_m.assign(obstacles.begin(), obstacles.end());
+    profile.confidence = WallConfidence(work.path, work.lines, bins_, options_.clear_response);
     return profile;
   }
 
@@ -411,17 +409,6 @@ class StoreySolver {
       for (int b = 0; b < probabilities.cols(); ++b) probabilities(c, b) /= sum;
     }
     return probabilities;
-  }
-
-  // Probability within 5 % of the chosen distance.
-  [[nodiscard]] float Confidence(const float* probability, double wall_m) const {
-    const double bin = bins_.Bin(wall_m), reach = 0.05 / bins_.log_step;
-    float sum = 0;
-    for (int b = std::max(0, static_cast<int>(std::ceil(bin - reach)));
-         b <= std::min(bins_.count - 1, static_cast<int>(bin + reach)); ++b) {
-      sum += probability[b];
-    }
-    return sum;
   }
 
   const Scene& scene_;

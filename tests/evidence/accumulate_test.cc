@@ -115,6 +115,22 @@ TEST(AccumulateEvidence, BlockedWeighsAsMuchAsFree) {
   EXPECT_NEAR(At(grids, grids.free, 0.85, 0.01), -At(grids, grids.free, 1.06, 0.01), 0.3);
 }
 
+TEST(AccumulateEvidence, ColumnsCountAsFarAsTheyAreBelieved) {
+  WallSampleSet samples = SamplesOf(PlanFromText("-1,-1 1,-1 1,1 -1,1", {{0, 0}}));
+  const auto at_confidence = [&](double confidence) {
+    for (WallSample& sample : samples.samples) sample.confidence = confidence;
+    return Accumulate(samples);
+  };
+  const EvidenceGrids full = at_confidence(1), half = at_confidence(0.5), none = at_confidence(0);
+  for (const double x : {0.5, 1.0}) {
+    EXPECT_EQ(At(none, none.free, x, 0.01), 0) << x;
+    EXPECT_EQ(At(none, none.wall, x, 0.01), 0) << x;
+  }
+  EXPECT_EQ(At(none, none.support, 0.5, 0.01), 0);
+  EXPECT_GT(At(half, half.free, 0.5, 0.01), 0.5);
+  EXPECT_LT(At(half, half.free, 0.5, 0.01), 0.7 * At(full, full.free, 0.5, 0.01));
+}
+
 TEST(AccumulateEvidence, OneViewIsBounded) {
   AccumulateOptions options;
   options.max_view_log_odds = 1.5;

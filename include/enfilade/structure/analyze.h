@@ -34,7 +34,8 @@ struct StructureOptions {
   double floor_weight = 1.0;
   double ceiling_weight = 0.6;
   double correlation_weight = 1.5;
-  double shared_weight = 0.6;
+  double shared_weight = 1.0;
+  double clear_response = 0.4;
   HeadingOptions heading;
   LineResponseOptions line;
   ObstacleOptions obstacle;
@@ -60,6 +61,9 @@ struct StructureOptions {
     v("ceiling_weight", ceiling_weight, "Weight of the ceiling line.", {0.0, 10.0});
     v("correlation_weight", correlation_weight, "Weight of the correlation.", {0.0, 10.0});
     v("shared_weight", shared_weight, "Weight of the lines that other panoramas see.", {0.0, 10.0});
+    v("clear_response", clear_response,
+      "Weighed response of its lines from which a wall is believed in full; 0: every wall is.",
+      {0.0, 10.0});
     v("heading", heading, "Heading of the walls.");
     v("line", line, "Response to floor and ceiling lines.");
     v("obstacle", obstacle, "Things that stand before a wall.");

@@ -22,7 +22,7 @@ struct WallProfile {
   double ceiling_weight = 1;      ///< 0–1: how much the ceiling is a level plane
   std::vector<float> wall_m;      ///< structural wall, most likely
   std::vector<float> obstacle_m;  ///< first obstacle, ≤ wall_m
-  std::vector<float> confidence;  ///< 0–1
+  std::vector<float> confidence;  ///< 0–1: how well its lines explain the wall (WallConfidence)
   std::vector<uint8_t> is_seen;   ///< 0 where the picture does not cover the column (pinhole views)
   /// num_columns × num_bins: P(wall in bin) from the min-marginals; every row sums to one.
   ImageF wall_probability;

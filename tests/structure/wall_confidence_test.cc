@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/structure/wall_confidence.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/structure/box_room.h"
+
+namespace enfilade {
+namespace {
+
+constexpr int kColumns = 256;
+constexpr double kClear = 0.4;
+const DistanceBins kBins{0.5, 0.02, 130};
+const BoxRoom kRoom;
+
+WallPath PathOf(const ColumnTruth& truth) {
+  WallPath path;
+  path.family = truth.family;
+  path.wall_m = truth.wall_m;
+  return path;
+}
+
+// The same response everywhere.
+ColumnScores Uniform(float response) {
+  ColumnScores scores;
+  for (const size_t f : {0, 1}) {
+    scores.family[f] = ImageF(kColumns, kBins.count);
+    std::fill(scores.family[f].data().begin(), scores.family[f].data().end(), response);
+  }
+  return scores;
+}
+
+class WallConfidenceTest : public testing::Test {
+ protected:
+  const ColumnTruth truth_ = TruthOfColumns(kRoom, {1.4, 1.2}, kColumns);
+  const WallPath path_ = PathOf(truth_);
+};
+
+TEST_F(WallConfidenceTest, WallsWithClearLinesAreBelievedInFull) {
+  for (const float value : WallConfidence(path_, PerfectScores(truth_, kBins), kBins, kClear))
+    EXPECT_EQ(value, 1);
+}
+
+TEST_F(WallConfidenceTest, IsTheShareOfAClearResponse) {
+  for (const float value : WallConfidence(path_, Uniform(0.1F), kBins, kClear))
+    EXPECT_NEAR(value, 0.25, 1e-6);
+  for (const float value : WallConfidence(path_, Uniform(-0.1F), kBins, kClear))
+    EXPECT_EQ(value, 0);
+}
+
+// Half of one wall is hidden: all of that wall loses, no other.
+TEST_F(WallConfidenceTest, IsOneValueAWall) {
+  ColumnScores lines = Uniform(0.3F);
+  const int inside = kColumns / 2;  // the column that looks along +x, at the wall of family 1
+  int begin = inside, end = inside;
+  while (truth_.family[static_cast<size_t>(begin - 1)] == 1) --begin;
+  while (truth_.family[static_cast<size_t>(end)] == 1) ++end;
+  for (int c = begin; c < inside; ++c) std::fill_n(lines.family[1].row(c), kBins.count, 0.0F);
+  const std::vector<float> confidence = WallConfidence(path_, lines, kBins, kClear);
+  const double expected = 0.75 * (end - inside) / (end - begin);
+  for (int c = 0; c < kColumns; ++c) {
+    EXPECT_NEAR(confidence[static_cast<size_t>(c)], c >= begin && c < end ? expected : 0.75, 1e-5)
+        << c;
+  }
+}
+
+TEST_F(WallConfidenceTest, TheSeamCutsNoWall) {
+  // The wall towards −x lies on both sides of the first column.
+  ASSERT_EQ(truth_.family.front(), truth_.family.back());
+  ColumnScores lines = Uniform(0.0F);
+  std::fill_n(lines.family[1].row(0), kBins.count, 1.0F);
+  const std::vector<float> confidence = WallConfidence(path_, lines, kBins, kClear);
+  EXPECT_GT(confidence.front(), 0);
+  EXPECT_EQ(confidence.front(), confidence.back());
+}
+
+TEST_F(WallConfidenceTest, ARoundWallIsOneWall) {
+  WallPath round;
+  round.family.assign(kColumns, kFrontalFamily);
+  round.wall_m.assign(kColumns, 2.0);
+  ColumnScores lines;
+  lines.family[kFrontalFamily] = ImageF(kColumns, kBins.count);
+  for (const float value : WallConfidence(round, lines, kBins, kClear)) EXPECT_EQ(value, 0);
+}
+
+TEST_F(WallConfidenceTest, WhereNoLinesAreLookedForAllIsBelieved) {
+  for (const float value : WallConfidence(path_, ColumnScores(), kBins, kClear))
+    EXPECT_EQ(value, 1);
+  for (const float value : WallConfidence(path_, Uniform(0), kBins, 0)) EXPECT_EQ(value, 1);
+}
+
+}  // namespace
+}  // namespace enfilade
