@@ -130,7 +130,8 @@ class StoreySolver {
     const std::vector<double> obstacles = Obstacles(work);
     profile.wall_m.assign(work.path.wall_m.begin(), work.path.wall_m.end());
     profile.obstacle_m.assign(obstacles.begin(), obstacles.end());
-    profile.confidence = WallConfidence(work.path, work.lines, bins_, options_.clear_response);
+    profile.confidence =
+        WallConfidence(work.path, work.lines, work.is_seen, bins_, options_.clear_response);
     return profile;
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "enfilade/base/check.h"
 #include "enfilade/structure/types.h"
 
 namespace enfilade {
@@ -38,22 +39,27 @@ float ResponseAt(const WallPath& path, const ColumnScores& lines, int c, const D
 }  // namespace
 
 std::vector<float> WallConfidence(const WallPath& path, const ColumnScores& lines,
-                                  const DistanceBins& bins, double clear_response) {
+                                  std::span<const uint8_t> is_seen, const DistanceBins& bins,
+                                  double clear_response) {
+  ENFILADE_CHECK(is_seen.size() == path.wall_m.size());
   const int num_columns = static_cast<int>(path.wall_m.size());
   std::vector<float> confidence(path.wall_m.size(), 1.0F);
   if (clear_response <= 0) return confidence;
   int start = 0;  // the first column of a wall, so that none is cut by the seam
   while (start < num_columns && ContinuesWall(path, start, bins)) ++start;
   const auto column = [&](int k) { return (start + k) % num_columns; };
-  for (int begin = 0, end; begin < num_columns; begin = end) {
+  for (int begin = 0; begin < num_columns;) {
     double sum = 0;
-    for (end = begin; end == begin || (end < num_columns && ContinuesWall(path, column(end), bins));
-         ++end) {
-      sum += ResponseAt(path, lines, column(end), bins, clear_response);
-    }
-    const double explained = sum / ((end - begin) * clear_response);
-    for (int k = begin; k < end; ++k) {
-      confidence[static_cast<size_t>(column(k))] =
+    int num_seen = 0, end = begin;
+    do {
+      if (is_seen[static_cast<size_t>(column(end))] != 0) {
+        sum += ResponseAt(path, lines, column(end), bins, clear_response);
+        ++num_seen;
+      }
+    } while (++end < num_columns && ContinuesWall(path, column(end), bins));
+    const double explained = sum / (std::max(1, num_seen) * clear_response);
+    for (; begin < end; ++begin) {
+      confidence[static_cast<size_t>(column(begin))] =
           static_cast<float>(std::clamp(explained, 0.0, 1.0));
     }
   }

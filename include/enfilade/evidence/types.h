@@ -22,7 +22,7 @@ struct WallSample {
   double spread_rad = 0;            ///< angular width of the column
   double wall_m = 0;                ///< most likely distance of the structural wall
   double obstacle_m = 0;            ///< most likely distance of the first obstacle, ≤ wall_m
-  double confidence = 0;            ///< 0–1: how far wall_probability is to be believed
+  double confidence = 1;            ///< 0–1: how far wall_probability is to be believed
   /// P(wall in bin i) over the bins of WallSampleSet; sums to one. Empty when the column saw
   /// nothing.
   std::vector<float> wall_probability;

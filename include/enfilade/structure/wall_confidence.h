@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "enfilade/structure/column_scores.h"
@@ -15,9 +17,11 @@ namespace enfilade {
 /// floor nor ceiling; there the lines along its walls are weak. A short wall seen through a door is
 /// judged by its own columns alone.
 ///
-/// Columns whose family has no scores are believed, and all of them when `clear_response` is zero.
-/// One value a column of the path.
+/// Columns that the picture does not cover (`is_seen` 0) have no say in their wall's mean. Columns
+/// whose family has no scores are believed, and all of them when `clear_response` is zero. One
+/// value a column of the path.
 [[nodiscard]] std::vector<float> WallConfidence(const WallPath& path, const ColumnScores& lines,
+                                                std::span<const uint8_t> is_seen,
                                                 const DistanceBins& bins, double clear_response);
 
 }  // namespace enfilade
