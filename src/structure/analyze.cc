@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/structure/level_panorama.h"
@@ -210,7 +211,9 @@ class StoreySolver {
     for (size_t i = 0; i < works_.size(); ++i) {
       responses[i] = Thin(works_[i].response);
       correlations[i] = Thin(works_[i].correlation);
-      views.push_back({&responses[i], &correlations[i], works_[i].position, options_.use_floor});
+      // Without correlation only the floor line tells how high the floor is.
+      views.push_back({&responses[i], &correlations[i], works_[i].position,
+                       options_.use_floor || !options_.use_correlation});
     }
     use(views);
   }
@@ -321,6 +324,13 @@ class StoreySolver {
     }
   }
 
+  [[nodiscard]] ColumnScores NoScores() const {
+    ColumnScores scores;
+    for (const int f : families_)
+      scores.family[static_cast<size_t>(f)] = ImageF(options_.num_columns, bins_.count);
+    return scores;
+  }
+
   // Floor and ceiling lines, weighed.
   void ScoreLines(bool with_ceiling) {
     ParallelFor(context_, "lines", static_cast<int64_t>(works_.size()), [&](int64_t i) {
@@ -343,6 +353,8 @@ class StoreySolver {
     ParallelFor(context_, "wall profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
       ColumnScores scores = work.lines;
+      // The ceiling line alone comes after the first paths, for which nothing is known then.
+      if (!options_.use_floor && !options_.use_correlation) AddScores(NoScores(), 1.0, scores);
       AddScores(work.correlation, 1.0, scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, with_likelihood);
     });
@@ -429,6 +441,10 @@ class StoreySolver {
 StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
                                  RunContext& context) {
   ENFILADE_CHECK(!scene.views.empty());
+  if (!options.use_floor && !options.use_ceiling && !options.use_correlation) {
+    throw InvalidInputError("--structure", "no cue is left to find walls by",
+                            "turn on use_floor, use_ceiling or use_correlation");
+  }
   StructureReport report;
   Structure& structure = report.structure;
   structure.heading_rad = EstimateHeading(scene, options, context);

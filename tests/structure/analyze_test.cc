@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/synthetic/fixtures.h"
@@ -147,6 +148,23 @@ TEST_F(AnalyzeRoom, EachCueCanBeSwitchedOff) {
   EXPECT_GE(share_without(&StructureOptions::use_diagonals), 0.7);
   EXPECT_GE(share_without(&StructureOptions::use_frontal), 0.7);
   EXPECT_GE(share_without(&StructureOptions::use_floor), 0.0);
+}
+
+TEST_F(AnalyzeRoom, OneCueIsEnough) {
+  scene_.camera_height_m = 1.5;
+  for (const auto cue : {&StructureOptions::use_floor, &StructureOptions::use_ceiling,
+                         &StructureOptions::use_correlation}) {
+    StructureOptions options = Coarse();
+    options.use_floor = options.use_ceiling = options.use_correlation = false;
+    options.*cue = true;
+    ExpectValid(Analyze(options).structure, 3, 256);
+  }
+}
+
+TEST_F(AnalyzeRoom, NoCueIsRefused) {
+  StructureOptions options = Coarse();
+  options.use_floor = options.use_ceiling = options.use_correlation = false;
+  EXPECT_THROW(Analyze(options), InvalidInputError);
 }
 
 TEST_F(AnalyzeRoom, SameResultForAnyNumberOfThreads) {

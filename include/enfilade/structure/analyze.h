@@ -88,7 +88,7 @@ struct StructureReport {
 /// the other panoramas' walls are. Pictures are decoded twice and not kept.
 ///
 /// Requires at least one view. Throws IoError or InvalidInputError for pictures that cannot be
-/// read.
+/// read, InvalidInputError when floor line, ceiling line and correlation are all switched off.
 [[nodiscard]] StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
                                                RunContext& context);
 
