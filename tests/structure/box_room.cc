@@ -58,10 +58,10 @@ double BoxRoom::Grey(const Vector3d& position, const Vector3d& ray) const {
   if (z < floor_z) return floor_grey;
   if (z > ceiling_z) return ceiling_grey;
   if (z < floor_z + baseboard_m) return baseboard_grey;
-  const double along = (from + hit.distance * to)[1 - hit.axis] + (hit.is_max_side ? 0.0 : 11.0);
+  const double along = (from + hit.distance * to)[1 - hit.axis];
   const double shading = (hit.axis == 0 ? 1 : -1) * wall_shading * (hit.is_max_side ? 1.0 : 0.5);
-  return wall_grey + shading + wall_slope * (from + hit.distance * to)[1 - hit.axis] +
-         wall_texture * Pattern(along, z);
+  const double pattern = Pattern(along + (hit.is_max_side ? 0.0 : 11.0), z);
+  return wall_grey + shading + wall_slope * along + wall_texture * pattern;
 }
 
 double BoxRoom::WallDistance(const Vector2d& position, double azimuth_rad) const {
