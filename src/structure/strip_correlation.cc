@@ -18,8 +18,6 @@ using Eigen::Vector2d;
 constexpr int kHeights = StripTable::kNumHeights;
 constexpr int kHalfLines = 3;
 constexpr int kNumLines = 2 * kHalfLines + 1;
-// Weight of the linear change along a strip beside the rest of what varies.
-constexpr double kTrendShare = 0.1;
 // The correlation changes slowly with distance: it is computed at every so many bins.
 constexpr int kBinStep = 2;
 
@@ -34,8 +32,8 @@ struct Strip {
 
 // Sums over the lines of a strip, one for each height, with t = −kHalfLines … kHalfLines along the
 // wall. Correlating what varies along the wall at one height leaves out the change from floor to
-// wall to ceiling, which any hypothesis would share. Its linear part counts little: the slow
-// shading of bare walls looks alike on any plane nearby.
+// wall to ceiling, which any hypothesis would share. Its linear part counts only as far as it is
+// stronger than shading: the slow shading of bare walls looks alike on any plane nearby.
 struct Moments {
   static constexpr int kSumTT = kHalfLines * (kHalfLines + 1) * kNumLines / 3;
 
@@ -54,23 +52,30 @@ struct Moments {
     }
   }
 
-  [[nodiscard]] double Correlation(double noise_variance) const {
-    int64_t aa = 0, bb = 0, ab = 0, trend_aa = 0, trend_bb = 0, trend_ab = 0;
+  [[nodiscard]] double Correlation(const StripCorrelationOptions& options) const {
+    int64_t aa = 0, bb = 0, ab = 0, sum_ta_ta = 0, sum_tb_tb = 0, sum_ta_tb = 0;
     for (size_t i = 0; i < kHeights; ++i) {
       aa += kNumLines * sum_aa[i] - sum_a[i] * sum_a[i];
       bb += kNumLines * sum_bb[i] - sum_b[i] * sum_b[i];
       ab += kNumLines * sum_ab[i] - sum_a[i] * sum_b[i];
-      trend_aa += sum_ta[i] * sum_ta[i];
-      trend_bb += sum_tb[i] * sum_tb[i];
-      trend_ab += sum_ta[i] * sum_tb[i];
+      sum_ta_ta += sum_ta[i] * sum_ta[i];
+      sum_tb_tb += sum_tb[i] * sum_tb[i];
+      sum_ta_tb += sum_ta[i] * sum_tb[i];
     }
-    constexpr double kTrend = (1 - kTrendShare) * kNumLines / kSumTT;
-    const auto weighed = [](int64_t all, int64_t trend) {
-      return static_cast<double>(all) - kTrend * static_cast<double>(trend);
+    // What a variance of 1 at every height adds up to.
+    constexpr double kUnit = kHeights * kNumLines * kNumLines;
+    constexpr double kTrend = static_cast<double>(kNumLines) / kSumTT;
+    const double noise = kUnit * options.noise * options.noise;
+    const double shading = kUnit * options.shading * options.shading;
+    const double trend =
+        kTrend * std::sqrt(static_cast<double>(sum_ta_ta) * static_cast<double>(sum_tb_tb));
+    const double shading_share = shading * shading / (trend * trend + shading * shading + 1e-12);
+    const auto without_shading = [&](int64_t all, int64_t sum_t_t) {
+      return static_cast<double>(all) - shading_share * kTrend * static_cast<double>(sum_t_t);
     };
-    const double noise = noise_variance * kHeights * kNumLines * kNumLines;
-    return weighed(ab, trend_ab) /
-           std::sqrt((weighed(aa, trend_aa) + noise) * (weighed(bb, trend_bb) + noise) + 1e-12);
+    return without_shading(ab, sum_ta_tb) / std::sqrt((without_shading(aa, sum_ta_ta) + noise) *
+                                                          (without_shading(bb, sum_tb_tb) + noise) +
+                                                      1e-12);
   }
 };
 
@@ -137,7 +142,7 @@ class Correlator {
       moments.Add(i - kHalfLines, strip.line[static_cast<size_t>(i)],
                   table.line(AzimuthIndex(ray), static_cast<int>(bin)));
     }
-    *correlation = moments.Correlation(options_.noise * options_.noise);
+    *correlation = moments.Correlation(options_);
     return true;
   }
 

@@ -20,6 +20,7 @@ struct StripCorrelationOptions {
   double below_m = 1.1;
   double above_m = 0.7;
   double noise = 3.0;
+  double shading = 7.5;
 
   void Visit(OptionVisitor& v) {
     v("max_views", max_views, "Most panoramas that a strip is compared with.", {1, 32});
@@ -30,6 +31,9 @@ struct StripCorrelationOptions {
     v("above_m", above_m, "How far above the cameras a strip reaches, metres.", {0.0, 3.0});
     v("noise", noise, "Standard deviation of grey levels that carries no information.",
       {0.0, 50.0});
+    v("shading", shading,
+      "Standard deviation of grey levels along a strip that slow shading of a bare wall may have.",
+      {0.0, 100.0});
   }
 };
 
@@ -62,8 +66,9 @@ class StripTable {
 /// plane through that point carries a strip of this panorama into up to max_views others
 /// that would see it; the score is the mean of the normalised cross-correlations of what varies
 /// along the wall at each height, shrunk where the strip has less contrast than the noise. The
-/// linear part of the variation weighs a tenth: slow shading agrees with itself on every plane
-/// nearby. Families of `families`; columns computed every `column_step` and repeated between.
+/// linear part of the variation counts only as far as it is stronger than shading, which agrees
+/// with itself on every plane nearby. Families of `families`; columns computed every `column_step`
+/// and repeated between.
 ///
 /// `others` are indices into `tables` sorted by preference (nearest first); `known` has one entry a
 /// table.
