@@ -43,22 +43,32 @@ ImageU8 CandidateCells(const EvidenceGrids& grids, const Thresholds& thresholds)
   return mask;
 }
 
+// Calls visit(row, col, distance_m) for the cell of `position` and those with centres within
+// `radius_m` of it.
+template <typename Visit>
+void ForEachCellWithin(const GridFrame& frame, const Eigen::Vector2d& position, double radius_m,
+                       Visit&& visit) {
+  const int row = frame.Row(position.y()), col = frame.Col(position.x());
+  const int reach = static_cast<int>(std::ceil(radius_m / frame.cell_m));
+  for (int r = row - reach; r <= row + reach; ++r) {
+    for (int c = col - reach; c <= col + reach; ++c) {
+      if (!frame.IsInside(r, c)) continue;
+      const double distance_m = r == row && c == col ? 0 : (frame.Center(r, c) - position).norm();
+      if (distance_m <= radius_m) visit(r, c, distance_m);
+    }
+  }
+}
+
 // The label at the camera, or of the nearest labelled cell within `snap_m`; 0 when there is none.
 int LabelAtCamera(const ImageI& label, const GridFrame& frame, const Eigen::Vector2d& position,
                   double snap_m) {
-  const int row = frame.Row(position.y()), col = frame.Col(position.x());
-  const int reach = static_cast<int>(std::ceil(snap_m / frame.cell_m));
   int nearest = 0;
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (int r = row - reach; r <= row + reach; ++r) {
-    for (int c = col - reach; c <= col + reach; ++c) {
-      if (!frame.IsInside(r, c) || label(r, c) == 0) continue;
-      const double distance_m = r == row && c == col ? 0 : (frame.Center(r, c) - position).norm();
-      if (distance_m > snap_m || distance_m >= nearest_m) continue;
-      nearest = label(r, c);
-      nearest_m = distance_m;
-    }
-  }
+  ForEachCellWithin(frame, position, snap_m, [&](int r, int c, double distance_m) {
+    if (label(r, c) == 0 || distance_m >= nearest_m) return;
+    nearest = label(r, c);
+    nearest_m = distance_m;
+  });
   return nearest;
 }
 
@@ -118,13 +128,22 @@ void JoinAlongSightLine(const ImageI& body, const GridFrame& frame, const Eigen:
   for (size_t i = 1; i < passed.size(); ++i) sets.Join(passed[0], passed[i]);
 }
 
-// A neck is passed when cameras stand on both sides of it, or two cameras see each other through
-// it.
+// A neck is passed when cameras stand on both sides of it, one camera stands in it, or two cameras
+// see each other through it.
 DisjointSets JoinPassedNecks(const ImageI& body, int num_bodies, const EvidenceGrids& grids,
                              double snap_m) {
   DisjointSets sets(num_bodies + 1);
   std::vector<bool> has_camera(static_cast<size_t>(num_bodies) + 1);
-  for (int label : LabelsAtCameras(body, grids, snap_m)) has_camera[label] = label != 0;
+  for (const EvidenceCamera& camera : grids.cameras) {
+    int here = 0;
+    ForEachCellWithin(grids.frame, camera.position, snap_m, [&](int r, int c, double) {
+      const int label = body(r, c);
+      if (label == 0) return;
+      if (here != 0) sets.Join(here, label);
+      here = label;
+      has_camera[static_cast<size_t>(label)] = true;
+    });
+  }
   ForEachContact(body, [&](int a, int b) {
     if (has_camera[a] && has_camera[b]) sets.Join(a, b);
   });

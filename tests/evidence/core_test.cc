@@ -105,6 +105,22 @@ TEST(FindCore, ANeckWithCamerasOnBothSidesIsPassed) {
   EXPECT_EQ(CoreAt(grids, report, 16, 4), 1);
 }
 
+TEST(FindCore, ANeckWithACameraInItIsPassed) {
+  const EvidenceGrids grids = GridsFromText({"......................",  //
+                                             ".########...########..",  //
+                                             ".########...########..",  //
+                                             ".####################.",  //
+                                             ".#########3##########.",  //
+                                             ".####################.",  //
+                                             ".########...########..",  //
+                                             ".########...########..",  //
+                                             "......................"});
+  const CoreReport report = Core(grids);
+  EXPECT_EQ(report.num_cores, 1);
+  EXPECT_EQ(CoreAt(grids, report, 4, 4), 1);
+  EXPECT_EQ(CoreAt(grids, report, 16, 4), 1);
+}
+
 TEST(FindCore, ABodyThatTwoCamerasLookAcrossIsKept) {
   // Three rooms in a row with necks of 0.3 m; only the outer ones hold cameras, which see each
   // other.

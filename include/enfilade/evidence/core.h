@@ -37,9 +37,9 @@ struct CoreReport {
 /// panoramas stand in; floorplan loops must go round it.
 ///
 /// Free cells that are supported (EvidenceGrids::support) and carry no wall; opened; cut at necks
-/// narrower than min_neck_m unless panoramas stand on both sides or two panoramas see each other
-/// through the neck; only components with a camera; small holes without wall evidence filled;
-/// eroded so that a path has room.
+/// narrower than min_neck_m unless panoramas stand on both sides or in the neck, or two panoramas
+/// see each other through it; only components with a camera; small holes without wall evidence
+/// filled; eroded so that a path has room.
 ///
 /// Guarantees: components are 4-connected, separated by at least one cell, clear of the grid's
 /// border, numbered by the smallest view_idx that stands in them; at most 255 of them. Every camera
