@@ -13,6 +13,9 @@ namespace {
 constexpr float kWindow =
     0.1f;  // metres of the running mean: about the blocked depth behind a wall
 
+// No wall stands nearer to a camera; a door may have been open for it and closed for the others.
+constexpr float kRoomRoundCamera = 0.4f;  // metres
+
 float TrustBehind(float log_odds) { return std::min(1.0f, 2 / (1 + std::exp(-log_odds - 0.5f))); }
 
 // Trust at every edge of the distance bins along one direction.
@@ -29,7 +32,7 @@ class ColumnWalk {
     std::deque<float> recent;
     float sum = 0, lowest = 1;
     int edge = 0;
-    for (float r = step; r < far_m_; r += step) {
+    for (float r = kRoomRoundCamera; r < far_m_; r += step) {
       while (edge <= bins.size() && bins.edge_m(edge) <= r) trust[edge++] = lowest;
       const Eigen::Vector2d offset = static_cast<double>(r) * direction;
       const Eigen::Vector2d p = view.origin() + offset;

@@ -102,6 +102,18 @@ TEST(AccumulateEvidence, FreeSpaceThroughAnOpenDoorIsKept) {
   EXPECT_NEAR(At(after, after.free, 5, 1.97), At(before, before.free, 5, 1.97), 0.05);
 }
 
+// A door that was open while a panorama was taken in it and closed for the others.
+TEST(AccumulateEvidence, ACameraInADoorwaySeesThroughTheClosedDoor) {
+  PlanToSample plan = PlanFromText(kTwoRooms, {{4.06, 1.95}, {2, 2}, {3, 1}});
+  const Ring2 closed = ParseRing("0,0 4,0 4,4 0,4");
+  plan.distance = [&, rings = plan.rings](int v, const Eigen::Vector2d& d) {
+    return RayDistance(v == 0 ? rings[0] : closed, plan.cameras[v], d);
+  };
+  const EvidenceGrids grids = Accumulate(SamplesOf(plan));
+  EXPECT_GT(At(grids, grids.free, 5.5, 2), 1);
+  EXPECT_TRUE(At(grids, grids.support, 5.5, 2) & kSupportNear);
+}
+
 TEST(AccumulateEvidence, NearViewsCountMore) {
   const PlanToSample near = PlanFromText("0,0 10,0 10,3 0,3", {{8.5, 1.5}});
   const PlanToSample far = PlanFromText("0,0 10,0 10,3 0,3", {{1.5, 1.5}});
