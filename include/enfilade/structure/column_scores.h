@@ -45,7 +45,7 @@ struct ColumnScores {
 
 struct ObstacleOptions {
   double min_gap_m = 0.25;
-  double max_gap_m = 0.70;
+  double max_gap_m = 0.9;
   double cost = 0.6;
 
   void Visit(OptionVisitor& v) {
