@@ -21,6 +21,8 @@ struct SynthOptions {
   HomeOptions home;
   WriteHomeOptions pictures;
 
+  SynthOptions() { pictures.width = 0; }
+
   void Visit(OptionVisitor& v) {
     v("home", home, "The home itself.");
     v("pictures", pictures, "Its panoramas.");
@@ -53,14 +55,15 @@ Action SetupSynth(CLI::App& parser) {
   SynthOptions defaults;
   arguments->common.Register(parser);
   arguments->options.Register(parser, VisitorOf(defaults));
-  arguments->options.RegisterAlias(parser, "--preset", "home.preset", "room or flat");
+  arguments->options.RegisterAlias(parser, "--preset", "home.preset", "room, flat or tour");
   arguments->options.RegisterAlias(parser, "--width", "pictures.width",
-                                   "Width of the panoramas in pixels");
+                                   "Width of the panoramas in pixels; 2048 for tours, else 1024");
   const CLI::Option* seed = parser.get_option("--seed");
   return [arguments, seed] {
     SynthOptions options;
     if (seed->count() > 0) options.home.seed = arguments->common.seed;
     arguments->options.Apply(VisitorOf(options));
+    if (options.pictures.width == 0) options.pictures.width = UsualWidth(options.home.preset);
     CheckFolder(arguments->output);
     Session session(arguments->common);
     const Home home = MakeHome(options.home);

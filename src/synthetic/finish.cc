@@ -99,6 +99,7 @@ Vector3f ReflectanceAt(const Surface& surface, float u, float v) {
       pattern = 1 + 0.07f * Noise(surface.seed, u / 0.01f, v / 0.01f);
       break;
     case Finish::kPlain:
+    case Finish::kMirror:
       break;
   }
   return pattern * surface.rgb;

@@ -201,6 +201,9 @@ std::vector<FurniturePiece> FurnitureFor(RoomUse use, Random& random) {
       return {Bed(random), Wardrobe(random), Drawers(random), Bookshelf(random)};
     case RoomUse::kKitchen:
       return {KitchenRun(random), DiningTable(random), Sideboard(random)};
+    case RoomUse::kHall:
+    case RoomUse::kCloset:
+      return {};
     case RoomUse::kLiving:
       break;
   }

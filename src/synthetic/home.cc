@@ -9,6 +9,7 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
+#include "src/synthetic/free_walls.h"
 #include "src/synthetic/openings.h"
 #include "src/synthetic/placement.h"
 #include "src/synthetic/rooms.h"
@@ -21,14 +22,26 @@ using Eigen::Vector3f;
 
 constexpr int kRoomsOfFlat = 3;
 
+std::optional<RoomLayout> MakeLayout(HomePreset preset, Random& random) {
+  switch (preset) {
+    case HomePreset::kRoom:
+      return MakeRoomLayout(1, random);
+    case HomePreset::kFlat:
+      return MakeRoomLayout(kRoomsOfFlat, random);
+    case HomePreset::kTour:
+      break;
+  }
+  return MakeHallLayout(5 + random.Index(4), random);
+}
+
 void AddRooms(Home& home, const RoomLayout& layout, Random& random) {
   const Vector2d shift =
       Vector2d(random.Millimetres(-2, 2), random.Millimetres(-2, 2)) - 0.5 * layout.max;
   const double floor_z = random.Millimetres(-0.3, 0.3);
-  for (const Ring2& ring : layout.rooms) {
+  for (const RoomOutline& outline : layout.rooms) {
     HomeRoom room;
     room.id = static_cast<int>(home.rooms.size());
-    for (const Vector2d& p : ring) room.polygon.outer.push_back(p + shift);
+    for (const Vector2d& p : outline.ring) room.polygon.outer.push_back(p + shift);
     room.floor_z = floor_z;
     room.ceiling_z = floor_z + random.Millimetres(2.3, 2.8);
     home.rooms.push_back(room);
@@ -51,8 +64,9 @@ Vector3f FloorColour(Finish finish, Random& random) {
   return Vector3f(c[0], c[1], c[2]) * static_cast<float>(random.Uniform(0.9, 1.1));
 }
 
-// The largest room is lived in; paint and floors follow from the use.
-void FitOutRooms(Home& home, Random& random) {
+// The largest room is lived in unless the layout says otherwise; paint and floors follow from the
+// use.
+void FitOutRooms(Home& home, const RoomLayout& layout, Random& random) {
   const auto largest = std::max_element(
       home.rooms.begin(), home.rooms.end(),
       [](const auto& a, const auto& b) { return Area(a.polygon) < Area(b.polygon); });
@@ -64,6 +78,7 @@ void FitOutRooms(Home& home, Random& random) {
                : random.Chance(0.35) ? RoomUse::kKitchen
                                      : RoomUse::kBedroom;
     if (home.rooms.size() == 1 && random.Chance(0.5)) room.use = RoomUse::kBedroom;
+    room.use = layout.rooms[static_cast<size_t>(room.id)].use.value_or(room.use);
     room.floor_finish = room.use == RoomUse::kKitchen ? Finish::kTiles : common;
     room.floor_rgb = FloorColour(room.floor_finish, random);
     const float warmth = static_cast<float>(random.Uniform(0.0, 0.05));
@@ -72,18 +87,26 @@ void FitOutRooms(Home& home, Random& random) {
   }
 }
 
+// What misleads: a mirror, or a window through which one sees the ground outside.
+void AddDistraction(Home& home, Random& random) {
+  if (random.Chance(0.5) || !HangMirror(home, random)) LowerAWindow(home, random);
+}
+
 std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
   Home home;
   home.seed = static_cast<uint64_t>(options.seed);
-  const int num_rooms = options.preset == HomePreset::kRoom ? 1 : kRoomsOfFlat;
-  const std::optional<RoomLayout> layout = MakeRoomLayout(num_rooms, random);
+  const bool is_tour = options.preset == HomePreset::kTour;
+  const std::optional<RoomLayout> layout = MakeLayout(options.preset, random);
   if (!layout) return std::nullopt;
   AddRooms(home, *layout, random);
-  FitOutRooms(home, random);
-  if (!AddDoors(home, layout->wall_thickness_m + 1e-6, random)) return std::nullopt;
+  FitOutRooms(home, *layout, random);
+  if (is_tour && !AddFreeWalls(home, random)) return std::nullopt;
+  const DoorMix mix = is_tour ? DoorMix{true, 0.2} : DoorMix{};
+  if (!AddDoors(home, layout->max_wall_thickness_m + 1e-6, mix, random)) return std::nullopt;
   if (!AddWindows(home, random)) return std::nullopt;
-  FurnishRooms(home, options.furniture, random);
-  if (!PlaceCameras(home, random)) return std::nullopt;
+  if (is_tour) AddDistraction(home, random);
+  FurnishRooms(home, {options.furniture, is_tour ? 0.5 : 1.0}, random);
+  if (!(is_tour ? PlaceTourCameras(home, random) : PlaceCameras(home, random))) return std::nullopt;
   std::vector<float> radiance;
   for (const HomeRoom& room : home.rooms) {
     // About the same light on every floor, whatever its size.
@@ -100,9 +123,11 @@ std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
 }  // namespace
 
 std::span<const std::string_view> EnumNames(HomePreset) {
-  static constexpr std::array<std::string_view, 2> kNames = {"room", "flat"};
+  static constexpr std::array<std::string_view, 3> kNames = {"room", "flat", "tour"};
   return kNames;
 }
+
+int UsualWidth(HomePreset preset) { return preset == HomePreset::kTour ? 2048 : 1024; }
 
 Ring2 HomeBox::Footprint() const {
   const Eigen::Rotation2Dd turn(yaw_rad);

@@ -3,6 +3,7 @@
 #include "src/synthetic/openings.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace enfilade {
@@ -38,7 +39,17 @@ bool IsFree(const Home& home, const HomeWall& wall, double begin_m, double end_m
   });
 }
 
-bool AddDoor(Home& home, const SharedWall& shared, DoorLeaf leaf, Random& random) {
+// How a door stands: without leaf, closed, or its leaf opened by an angle in a range.
+struct DoorState {
+  DoorLeaf leaf = DoorLeaf::kNone;
+  double min_angle_rad = 0, max_angle_rad = 0;
+};
+constexpr DoorState kLeafless = {};
+constexpr DoorState kOpen = {DoorLeaf::kOpen, 1.3, 1.75};
+constexpr DoorState kAjar = {DoorLeaf::kOpen, 0.4, 0.9};
+constexpr DoorState kClosed = {DoorLeaf::kClosed, 0, 0};
+
+bool AddDoor(Home& home, const SharedWall& shared, const DoorState& state, Random& random) {
   const double width_m = random.Millimetres(0.80, 0.90);
   const double slack_m = shared.end_m - shared.begin_m - width_m - 2 * kCornerGap_m;
   if (slack_m < 0) return false;
@@ -47,8 +58,9 @@ bool AddDoor(Home& home, const SharedWall& shared, DoorLeaf leaf, Random& random
   HomeOpening door = MakeOpening(home, shared.wall, begin_m, begin_m + width_m);
   door.other_room_id = shared.other_room_id;
   door.thickness_m = shared.thickness_m;
-  door.leaf = leaf;
-  door.leaf_angle_rad = leaf == DoorLeaf::kOpen ? random.Uniform(1.3, 1.75) : 0;
+  door.leaf = state.leaf;
+  door.leaf_angle_rad =
+      state.leaf == DoorLeaf::kOpen ? random.Uniform(state.min_angle_rad, state.max_angle_rad) : 0;
   door.is_hinge_at_a = random.Chance(0.5);
   home.openings.push_back(door);
   return true;
@@ -102,17 +114,11 @@ bool LooksOutside(const Home& home, const SharedWall& stretch) {
   return true;
 }
 
-std::vector<SharedWall> OuterStretches(const Home& home) {
-  std::vector<SharedWall> stretches = FindOuterWalls(home, FindSharedWalls(home, 0.5, 0.05));
-  std::erase_if(stretches, [&](const SharedWall& s) { return !LooksOutside(home, s); });
-  return stretches;
-}
-
 bool AddEntrance(Home& home, Random& random) {
   std::vector<SharedWall> stretches = OuterStretches(home);
   Shuffle(stretches, random);
   for (const SharedWall& stretch : stretches) {
-    if (!AddDoor(home, stretch, DoorLeaf::kClosed, random)) continue;
+    if (!AddDoor(home, stretch, kClosed, random)) continue;
     home.openings.back().other_room_id = std::nullopt;
     return true;
   }
@@ -141,7 +147,14 @@ std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m
   return shared;
 }
 
-bool AddDoors(Home& home, double max_thickness_m, Random& random) {
+std::vector<SharedWall> OuterStretches(const Home& home) {
+  std::vector<SharedWall> stretches = FindOuterWalls(home, FindSharedWalls(home, 0.5, 0.05));
+  std::erase_if(stretches, [&](const SharedWall& s) { return !LooksOutside(home, s); });
+  return stretches;
+}
+
+bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& random) {
+  constexpr std::array<DoorState, 3> kStates = {kLeafless, kOpen, kAjar};
   std::vector<SharedWall> shared = FindSharedWalls(home, max_thickness_m, 1.25);
   Shuffle(shared, random);
   std::vector<int> group(home.rooms.size());
@@ -150,16 +163,15 @@ bool AddDoors(Home& home, double max_thickness_m, Random& random) {
   for (const SharedWall& s : shared) {
     const int from = group[static_cast<size_t>(s.wall.room_id)];
     const int to = group[static_cast<size_t>(s.other_room_id)];
-    const DoorLeaf leaf = home.openings.size() % 2 == 0 ? DoorLeaf::kNone : DoorLeaf::kOpen;
     if (from == to) {
       rest.push_back(s);
-    } else if (AddDoor(home, s, leaf, random)) {
+    } else if (AddDoor(home, s, kStates[home.openings.size() % (mix.has_ajar ? 3 : 2)], random)) {
       std::replace(group.begin(), group.end(), to, from);
     }
   }
   if (std::any_of(group.begin(), group.end(), [&](int g) { return g != group[0]; })) return false;
   for (const SharedWall& s : rest) {
-    if (random.Chance(0.7)) (void)AddDoor(home, s, DoorLeaf::kClosed, random);
+    if (random.Chance(mix.closed_inner_share)) (void)AddDoor(home, s, kClosed, random);
   }
   return AddEntrance(home, random);
 }
@@ -188,6 +200,17 @@ bool AddWindows(Home& home, Random& random) {
     ++num_windows[room_idx];
   }
   return std::any_of(num_windows.begin(), num_windows.end(), [](int n) { return n > 0; });
+}
+
+void LowerAWindow(Home& home, Random& random) {
+  std::vector<HomeOpening*> windows;
+  for (HomeOpening& opening : home.openings) {
+    if (opening.kind == OpeningKind::kWindow) windows.push_back(&opening);
+  }
+  if (windows.empty()) return;
+  HomeOpening& window =
+      *windows[static_cast<size_t>(random.Index(static_cast<int>(windows.size())))];
+  window.sill_z = home.RoomById(window.room_id).floor_z + random.Millimetres(0.15, 0.35);
 }
 
 }  // namespace enfilade

@@ -20,13 +20,24 @@ struct SharedWall {
 [[nodiscard]] std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m,
                                                       double min_length_m);
 
+/// Stretches over 1 m of faces with open country behind them; other_room_id is −1.
+[[nodiscard]] std::vector<SharedWall> OuterStretches(const Home& home);
+
+struct DoorMix {
+  bool has_ajar = false;            ///< every third passable door is hardly open
+  double closed_inner_share = 0.7;  ///< of the pairs of neighbours that are joined already
+};
+
 /// Joins the rooms by doors (0.8–0.9 m wide, 2.0 m high): a random spanning tree of passable ones,
-/// the first without leaf, the second with an open leaf; then closed doors between other
-/// neighbours, and a closed entrance. Returns false when the rooms cannot be joined or no outer
-/// wall takes the entrance.
-[[nodiscard]] bool AddDoors(Home& home, double max_thickness_m, Random& random);
+/// the first without leaf, the second with an open leaf, the third ajar if the mix has such; then
+/// closed doors between other neighbours, and a closed entrance. Returns false when the rooms
+/// cannot be joined or no outer wall takes the entrance.
+[[nodiscard]] bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& random);
 
 /// One or two windows in the outer walls of most rooms. Returns false when none has one.
 [[nodiscard]] bool AddWindows(Home& home, Random& random);
+
+/// Brings the sill of one window down to 0.15–0.35 m above the floor.
+void LowerAWindow(Home& home, Random& random);
 
 }  // namespace enfilade

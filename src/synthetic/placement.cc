@@ -22,6 +22,7 @@ constexpr double kItemGap_m = 0.08;
 constexpr double kDoorDepth_m = 0.9;
 constexpr double kLeafThickness_m = 0.04;
 constexpr double kCameraClearance_m = 0.65;
+constexpr double kHallClearance_m = 0.42;
 constexpr double kCameraSpacing_m = 1.6;
 // A place from which a whole room comes into view is worth this much clearance.
 constexpr double kViewWeight_m = 2.0;
@@ -59,12 +60,15 @@ Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand, double mar
 
 // The region of a room that furniture must leave free.
 struct RoomBlocks {
-  MultiPolygon2 everywhere;  ///< doors, furniture
+  MultiPolygon2 everywhere;  ///< doors, furniture that is there
   MultiPolygon2 windows;     ///< in front of windows: low pieces only
 };
 
 RoomBlocks BlocksOf(const Home& home, const HomeRoom& room) {
   RoomBlocks blocks;
+  for (const HomeBox& box : home.boxes) {
+    if (box.room_id == room.id) blocks.everywhere.push_back({box.Footprint(), {}});
+  }
   for (const HomeOpening& opening : home.openings) {
     if (opening.kind == OpeningKind::kWindow) {
       const Vector2d in = -0.6 * opening.IntoWall();
@@ -181,6 +185,7 @@ std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
     high = high.cwiseMax(p);
   }
   const std::vector<Vector2d> unseen = UnseenPoints(room, low, high, taken);
+  const double min_clear_m = room.use == RoomUse::kHall ? kHallClearance_m : kCameraClearance_m;
   double best_value = 0;
   std::optional<Vector2d> best;
   for (int i = 0; i < kTries; ++i) {
@@ -190,7 +195,7 @@ std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
     const bool is_apart = std::all_of(taken.begin(), taken.end(), [&](const Vector2d& q) {
       return (p - q).norm() > kCameraSpacing_m;
     });
-    if (!is_apart || clear_m <= kCameraClearance_m) continue;
+    if (!is_apart || clear_m <= min_clear_m) continue;
     const auto num_new = std::count_if(unseen.begin(), unseen.end(),
                                        [&](const Vector2d& q) { return Sees(room, p, q); });
     const double share = static_cast<double>(num_new) / static_cast<double>(unseen.size() + 1);
@@ -200,6 +205,28 @@ std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
     best = p;
   }
   return best;
+}
+
+// The places of a room's cameras, in the order in which they were taken.
+struct RoomCameras {
+  const HomeRoom* room = nullptr;
+  std::vector<Vector2d> places;
+  bool is_full = false;
+};
+
+bool AddPlace(const Home& home, RoomCameras& cameras, Random& random) {
+  const std::optional<Vector2d> place = ClearestPlace(home, *cameras.room, cameras.places, random);
+  if (place) cameras.places.push_back(*place);
+  cameras.is_full = !place;
+  return place.has_value();
+}
+
+void AddCameras(Home& home, const RoomCameras& cameras, double height_m, double jitter_m,
+                Random& random) {
+  for (const Vector2d& p : cameras.places) {
+    const double z = cameras.room->floor_z + height_m + random.Uniform(-jitter_m, jitter_m);
+    AddCamera(home, cameras.room->id, {p.x(), p.y(), z}, random.Uniform(-kPi, kPi));
+  }
 }
 
 }  // namespace
@@ -234,15 +261,42 @@ MultiPolygon2 DoorClearance(const HomeOpening& door) {
   return region;
 }
 
-void FurnishRooms(Home& home, double share, Random& random) {
-  int item = 0;
+void FurnishRooms(Home& home, const FurnitureShare& share, Random& random) {
+  int item = home.boxes.empty() ? 0 : home.boxes.back().item + 1;
+  double num_due = 0;
   for (const HomeRoom& room : home.rooms) {
+    num_due += share.of_rooms;
+    if (num_due < 1) continue;
+    num_due -= 1;
     RoomBlocks blocks = BlocksOf(home, room);
     for (const FurniturePiece& piece : FurnitureFor(room.use, random)) {
-      if (!random.Chance(share)) continue;
+      if (!random.Chance(share.of_pieces)) continue;
       if (TryPlacePiece(home, room, piece, item, blocks, random)) ++item;
     }
   }
+}
+
+bool HangMirror(Home& home, Random& random) {
+  constexpr double kThickness_m = 0.02;
+  FurniturePiece mirror;
+  mirror.footprint = {random.Millimetres(0.6, 1.8), kThickness_m};
+  mirror.is_tall = true;
+  HomeBox glass;
+  glass.center = {0, 0.5 * kThickness_m};
+  glass.size = mirror.footprint;
+  glass.z0 = random.Millimetres(0.1, 0.9);
+  glass.z1 = random.Millimetres(1.8, 2.1);
+  glass.finish = Finish::kMirror;
+  glass.rgb = {0.03f, 0.03f, 0.03f};
+  mirror.boxes = {glass};
+  for (int tries = 0; tries < 20; ++tries) {
+    const auto room_idx = static_cast<size_t>(random.Index(static_cast<int>(home.rooms.size())));
+    const HomeRoom& room = home.rooms[room_idx];
+    if (room.use == RoomUse::kCloset) continue;
+    RoomBlocks blocks = BlocksOf(home, room);
+    if (TryPlacePiece(home, room, mirror, 0, blocks, random)) return true;
+  }
+  return false;
 }
 
 double Clearance(const Home& home, int room_id, const Vector2d& p) {
@@ -296,21 +350,41 @@ void HangLamps(Home& home, const std::vector<float>& radiance) {
   }
 }
 
+bool PlaceTourCameras(Home& home, Random& random) {
+  const double height_m = random.Millimetres(1.3, 1.65);
+  const int wanted = 8 + random.Index(5);
+  std::vector<RoomCameras> rooms;
+  for (const HomeRoom& room : home.rooms) {
+    if (room.use == RoomUse::kCloset) continue;
+    rooms.push_back({&room, {}, false});
+    if (!AddPlace(home, rooms.back(), random)) return false;
+  }
+  int total = static_cast<int>(rooms.size());
+  while (total < wanted) {
+    const auto floor_for_next = [](const RoomCameras& r) {
+      return r.is_full ? 0.0 : Area(r.room->polygon) / static_cast<double>(r.places.size() + 1);
+    };
+    const auto next = std::max_element(
+        rooms.begin(), rooms.end(),
+        [&](const auto& a, const auto& b) { return floor_for_next(a) < floor_for_next(b); });
+    if (next->is_full) break;
+    if (AddPlace(home, *next, random)) ++total;
+  }
+  if (total < 8) return false;
+  for (const RoomCameras& room : rooms) AddCameras(home, room, height_m, 0.02, random);
+  return true;
+}
+
 bool PlaceCameras(Home& home, Random& random) {
   const double height_m = random.Millimetres(1.3, 1.6);
   for (const HomeRoom& room : home.rooms) {
     const int wanted = home.rooms.size() == 1 || Area(room.polygon) > kTwoCamerasArea_m2 ? 2 : 1;
-    std::vector<Vector2d> places;
-    while (static_cast<int>(places.size()) < wanted) {
-      const std::optional<Vector2d> place = ClearestPlace(home, room, places, random);
-      if (!place) break;
-      places.push_back(*place);
+    RoomCameras cameras{&room, {}, false};
+    while (static_cast<int>(cameras.places.size()) < wanted && !cameras.is_full) {
+      (void)AddPlace(home, cameras, random);
     }
-    if (places.empty()) return false;
-    for (const Vector2d& p : places) {
-      const double z = room.floor_z + height_m + random.Uniform(-0.01, 0.01);
-      AddCamera(home, room.id, {p.x(), p.y(), z}, random.Uniform(-kPi, kPi));
-    }
+    if (cameras.places.empty()) return false;
+    AddCameras(home, cameras, height_m, 0.01, random);
   }
   return true;
 }

@@ -14,13 +14,26 @@ namespace enfilade {
 /// included.
 [[nodiscard]] MultiPolygon2 DoorClearance(const HomeOpening& door);
 
-/// Puts `share` of what each room may hold where it fits: against walls, clear of doors, of other
-/// furniture and, if tall, of windows.
-void FurnishRooms(Home& home, double share, Random& random);
+struct FurnitureShare {
+  double of_pieces = 0.5;  ///< that a room may hold
+  double of_rooms = 1;     ///< that are furnished
+};
+
+/// Puts a share of what rooms may hold where it fits: against walls, clear of doors, of what stands
+/// there and, if tall, of windows. Items of `home.boxes` stay.
+void FurnishRooms(Home& home, const FurnitureShare& share, Random& random);
+
+/// Hangs a mirror on a wall of some room that is no closet, where it is not in the way of a door.
+/// Returns false when no place was found.
+[[nodiscard]] bool HangMirror(Home& home, Random& random);
 
 /// Puts one or two cameras in every room, in the clearest of many random places. Returns false when
 /// a room has no clear place.
 [[nodiscard]] bool PlaceCameras(Home& home, Random& random);
+
+/// Puts 8–12 cameras in a home as an agent would: one in every room but closets, then more where
+/// there is most floor for each. Returns false when there is no place for that many.
+[[nodiscard]] bool PlaceTourCameras(Home& home, Random& random);
 
 /// Adds an upright camera that looks along the azimuth and is called pano_NNN.jpg by its number.
 void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double azimuth_rad);

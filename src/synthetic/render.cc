@@ -34,6 +34,7 @@ struct LitHome {
 namespace {
 
 constexpr double kWallTone = 0.82;
+constexpr float kMirrorReflectance = 0.9f;
 constexpr float kPi_f = static_cast<float>(kPi);
 constexpr double kLampThickness_m = 0.06;
 constexpr float kShadeGlow = 0.10f;  // lamps are this share of their radiance: what the shade shows
@@ -78,13 +79,14 @@ Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3
   const Vector3f diffuse = DiffuseRadiance(lit, origin, direction, &hit);
   if (!hit) return diffuse;
   const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
-  if (surface.gloss <= 0) return diffuse;
+  const bool is_mirror = surface.finish == Finish::kMirror;
+  if (surface.gloss <= 0 && !is_mirror) return diffuse;
   const float cosine = std::clamp(-surface.normal.dot(direction), 0.0f, 1.0f);
   const float fresnel = 0.04f + 0.96f * std::pow(1 - cosine, 5.0f);  // Schlick 1994
   const Vector3f mirrored = direction + 2 * cosine * surface.normal;
   const Vector3f start = origin + hit->distance_m * direction + 1e-3f * surface.normal;
   const Vector3f image = DiffuseRadiance(lit, start, mirrored.normalized(), nullptr);
-  const float weight = surface.gloss * fresnel;
+  const float weight = is_mirror ? kMirrorReflectance : surface.gloss * fresnel;
   return (1 - weight) * diffuse + weight * image;
 }
 

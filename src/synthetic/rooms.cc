@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "src/synthetic/rectangle.h"
+
 namespace enfilade {
 namespace {
 
@@ -12,22 +14,6 @@ using Eigen::Vector2d;
 
 constexpr double kMinRoom_m = 2.1;
 constexpr double kMinArm_m = 1.7;
-
-struct Rectangle {
-  Vector2d min, max;
-  [[nodiscard]] Vector2d Size() const { return max - min; }
-  [[nodiscard]] double Area() const { return Size().prod(); }
-};
-
-Ring2 RingOf(const Rectangle& r) {
-  return {r.min, {r.max.x(), r.min.y()}, r.max, {r.min.x(), r.max.y()}};
-}
-
-// Mirrors a ring about the middle of the rectangle, keeping it counter-clockwise.
-void Mirror(Ring2& ring, const Rectangle& about, int axis) {
-  for (Vector2d& p : ring) p[axis] = about.min[axis] + about.max[axis] - p[axis];
-  std::reverse(ring.begin(), ring.end());
-}
 
 struct LayoutParts {
   std::vector<Rectangle> rectangles;  ///< may be divided further
@@ -91,7 +77,7 @@ Ring2 SingleRoom(const Rectangle& whole, double thickness_m, Random& random) {
 
 std::optional<RoomLayout> MakeRoomLayout(int num_rooms, Random& random) {
   RoomLayout layout;
-  layout.wall_thickness_m = random.Millimetres(0.10, 0.15);
+  layout.max_wall_thickness_m = random.Millimetres(0.10, 0.15);
   const Vector2d size =
       num_rooms == 1
           ? Vector2d(random.Millimetres(3.2, 6.5), random.Millimetres(2.8, 5.0))
@@ -99,7 +85,7 @@ std::optional<RoomLayout> MakeRoomLayout(int num_rooms, Random& random) {
   const Rectangle whole{{0, 0}, size};
   layout.max = size;
   if (num_rooms == 1) {
-    layout.rooms = {SingleRoom(whole, layout.wall_thickness_m, random)};
+    layout.rooms = {{SingleRoom(whole, layout.max_wall_thickness_m, random)}};
     return layout;
   }
   LayoutParts parts{{whole}, {}};
@@ -107,13 +93,13 @@ std::optional<RoomLayout> MakeRoomLayout(int num_rooms, Random& random) {
     const std::optional<size_t> idx = LargestRectangle(parts);
     if (!idx) return std::nullopt;
     const bool is_cut =
-        random.Chance(0.35) && CutCorner(parts, *idx, layout.wall_thickness_m, random);
-    if (!is_cut && !SplitInTwo(parts, *idx, layout.wall_thickness_m, random)) {
+        random.Chance(0.35) && CutCorner(parts, *idx, layout.max_wall_thickness_m, random);
+    if (!is_cut && !SplitInTwo(parts, *idx, layout.max_wall_thickness_m, random)) {
       return std::nullopt;
     }
   }
-  layout.rooms = parts.finished;
-  for (const Rectangle& rectangle : parts.rectangles) layout.rooms.push_back(RingOf(rectangle));
+  for (const Ring2& ring : parts.finished) layout.rooms.push_back({ring});
+  for (const Rectangle& rectangle : parts.rectangles) layout.rooms.push_back({RingOf(rectangle)});
   return layout;
 }
 

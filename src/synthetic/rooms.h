@@ -6,20 +6,33 @@
 #include <vector>
 
 #include "enfilade/geometry/polygon2.h"
+#include "enfilade/synthetic/home.h"
 #include "src/synthetic/random.h"
 
 namespace enfilade {
 
-/// Outlines of rooms side by side, counter-clockwise, apart by walls of one thickness.
+/// A room's outline, counter-clockwise, and its use where the layout settles it.
+struct RoomOutline {
+  Ring2 ring;
+  std::optional<RoomUse> use = std::nullopt;
+};
+
+/// Rooms side by side, apart by walls.
 struct RoomLayout {
-  std::vector<Ring2> rooms;
+  std::vector<RoomOutline> rooms;
   Eigen::Vector2d min{0, 0}, max{0, 0};  ///< the rectangle inside the outer walls
-  double wall_thickness_m = 0.12;
+  double max_wall_thickness_m = 0.12;    ///< of the walls between rooms
 };
 
 /// Fills a random rectangle with `num_rooms` rectangles and L-shapes: the largest rectangle is
 /// split in two, or a room is cut from its corner, until there are enough. Rooms are at least 2.1 m
-/// and arms of an L at least 1.7 m wide. None when the numbers drawn leave no space for that many.
+/// and arms of an L at least 1.7 m wide; all walls are equally thick. None when the numbers drawn
+/// leave no space for that many.
 [[nodiscard]] std::optional<RoomLayout> MakeRoomLayout(int num_rooms, Random& random);
+
+/// Two rows of rooms along a hall, of 5–8 rooms in all: the last room of one row often takes the
+/// end of the hall too, and from six rooms on one or two are closets cut out of others. None when
+/// the numbers drawn do not fit.
+[[nodiscard]] std::optional<RoomLayout> MakeHallLayout(int num_rooms, Random& random);
 
 }  // namespace enfilade

@@ -98,6 +98,9 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
   if (options.width % 2 != 0) {
     throw InvalidInputError("width", "is odd", "give an even number: panoramas are 2:1");
   }
+  if (options.width < 64) {
+    throw InvalidInputError("width", "is too small", "give 64 pixels or more");
+  }
   const ImageSize size{options.width, options.width / 2};
   CreateFolder(folder / "panos");
   RemoveOldHome(folder, home);

@@ -102,6 +102,94 @@ TEST(MakeHome, SingleRoomsAreValidOver200Seeds) {
   }
 }
 
+// Walls that run along neither axis of the home.
+int NumFreeRooms(const Home& home) {
+  std::set<int> rooms;
+  for (const HomeWall& wall : HomeWalls(home)) {
+    const Eigen::Vector2d along = wall.Along().cwiseAbs();
+    if (along.minCoeff() > 0.01) rooms.insert(wall.room_id);
+  }
+  return static_cast<int>(rooms.size());
+}
+
+struct DoorCounts {
+  int open = 0, ajar = 0, closed = 0, low_windows = 0;
+};
+
+DoorCounts CountDoors(const Home& home) {
+  DoorCounts counts;
+  for (const HomeOpening& opening : home.openings) {
+    const bool is_open = opening.leaf == DoorLeaf::kOpen;
+    counts.open += is_open && opening.leaf_angle_rad > 1.2;
+    counts.ajar += is_open && opening.leaf_angle_rad < 1;
+    counts.closed += opening.leaf == DoorLeaf::kClosed;
+    counts.low_windows += opening.kind == OpeningKind::kWindow &&
+                          opening.sill_z - home.RoomById(opening.room_id).floor_z < 0.36;
+  }
+  return counts;
+}
+
+int NumFurnishedRooms(const Home& home) {
+  std::set<int> rooms;
+  for (const HomeBox& box : home.boxes) {
+    if (box.finish != Finish::kMirror) rooms.insert(box.room_id);
+  }
+  return static_cast<int>(rooms.size());
+}
+
+int NumRoomsOf(const Home& home, RoomUse use) {
+  return static_cast<int>(std::count_if(home.rooms.begin(), home.rooms.end(),
+                                        [&](const HomeRoom& room) { return room.use == use; }));
+}
+
+void ExpectPromisedTour(const Home& home) {
+  const int num_rooms = static_cast<int>(home.rooms.size());
+  EXPECT_GE(num_rooms, 5);
+  EXPECT_LE(num_rooms, 8);
+  EXPECT_EQ(ReachableRooms(home).size(), home.rooms.size());
+  EXPECT_EQ(NumRoomsOf(home, RoomUse::kHall), 1);
+  EXPECT_TRUE(num_rooms == 5 || NumRoomsOf(home, RoomUse::kCloset) >= 1);
+  const int num_free = NumFreeRooms(home);
+  EXPECT_GE(num_free, 1);
+  EXPECT_LE(num_free, 2);
+  const DoorCounts doors = CountDoors(home);
+  EXPECT_GE(doors.open, 1);
+  EXPECT_GE(doors.ajar, 1);
+  EXPECT_GE(doors.closed, 1);
+  const bool has_mirror = std::any_of(home.boxes.begin(), home.boxes.end(), [](const HomeBox& box) {
+    return box.finish == Finish::kMirror;
+  });
+  EXPECT_TRUE(has_mirror || doors.low_windows > 0);
+  EXPECT_LE(2 * NumFurnishedRooms(home), num_rooms + 1);
+}
+
+void ExpectTourCameras(const Home& home) {
+  EXPECT_GE(home.cameras.size(), 8u);
+  EXPECT_LE(home.cameras.size(), 12u);
+  std::set<int> seen;
+  for (const HomeCamera& camera : home.cameras) seen.insert(camera.room_id);
+  EXPECT_EQ(static_cast<int>(seen.size()) + NumRoomsOf(home, RoomUse::kCloset),
+            static_cast<int>(home.rooms.size()));
+}
+
+TEST(MakeHome, ToursHoldWhatThePresetPromisesOver200Seeds) {
+  int num_l_or_u = 0, num_furnished = 0, num_rooms = 0, num_free = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kTour);
+    ASSERT_THAT(HomeProblems(home), IsEmpty());
+    ExpectPromisedTour(home);
+    ExpectTourCameras(home);
+    num_rooms += static_cast<int>(home.rooms.size());
+    num_furnished += NumFurnishedRooms(home);
+    num_free += NumFreeRooms(home);
+    for (const HomeRoom& room : home.rooms) num_l_or_u += room.polygon.outer.size() >= 6;
+  }
+  EXPECT_GE(num_l_or_u, 200);
+  EXPECT_GE(num_free, num_rooms * 0.15);
+  EXPECT_GE(num_furnished, num_rooms * 0.3);
+}
+
 TEST(MakeHome, SameSeedSameHomeOtherSeedOtherHome) {
   const Home a = Make(5, HomePreset::kFlat), b = Make(5, HomePreset::kFlat);
   const Home c = Make(6, HomePreset::kFlat);

@@ -199,6 +199,30 @@ TEST(Render, NoLightLeaksThroughTheShell) {
   }
 }
 
+// A dark sheet of glass on the wall before the camera: without its mirror image it would be black.
+TEST(Render, AMirrorShowsTheRoom) {
+  Home home = TextHome("room 0,0 4,0 4,3 0,3 | box 3.9,0.5 3.95,2.5 height 2.2 | camera 1,1.5");
+  home.boxes[0].rgb = {0.03f, 0.03f, 0.03f};
+  const auto brightness = [&](Finish finish) {
+    home.boxes[0].finish = finish;
+    const RenderedPanorama out = RenderFirst(home, Quick());
+    double sum = 0;
+    int count = 0;
+    for (int row = 58; row < 68; ++row) {
+      for (int col = 0; col < kSize.width; ++col) {
+        const Vector3d ray = RayInHome(home, row, col);
+        if (ray.x() < 0.98) continue;
+        EXPECT_EQ(out.label(row, col), static_cast<uint8_t>(SurfaceLabel::kOther));
+        sum += out.rgb(row, col, 1);
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  EXPECT_LT(brightness(Finish::kPlain), 80);
+  EXPECT_GT(brightness(Finish::kMirror), 140);
+}
+
 TEST(Render, StandCoversTheBottomAndHasNoTruth) {
   const Home home = TextHome("room 0,0 4,0 4,3 0,3");
   RenderOptions options = Quick();

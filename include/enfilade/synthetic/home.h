@@ -17,9 +17,13 @@
 
 namespace enfilade {
 
-/// What kind of home is made: one room, or a flat of three rooms.
-enum class HomePreset { kRoom, kFlat };
+/// What kind of home is made: one room, a flat of three rooms, or a home as an agent photographs
+/// it.
+enum class HomePreset { kRoom, kFlat, kTour };
 [[nodiscard]] std::span<const std::string_view> EnumNames(HomePreset);
+
+/// Width of the panoramas that are usual for the preset, pixels.
+[[nodiscard]] int UsualWidth(HomePreset preset);
 
 struct HomeOptions {
   int seed = 1;
@@ -28,15 +32,17 @@ struct HomeOptions {
 
   void Visit(OptionVisitor& v) {
     v("seed", seed, "Every number of the home comes from it.", {0, 2147483647});
-    v("preset", preset, "room: one room; flat: three rooms joined by doors.");
+    v("preset", preset,
+      "room: one room; flat: three rooms joined by doors; tour: 5 to 8 rooms with a hall, "
+      "closets, free walls and a mirror or low window, half of them empty.");
     v("furniture", furniture, "Share of the furniture that a room can take, 0 for empty rooms.",
       {0.0, 1.0});
   }
 };
 
 /// What a surface is made of: its pattern; the colour is given apart.
-enum class Finish { kPaint, kCarpet, kPlanks, kTiles, kWood, kFabric, kPlain };
-enum class RoomUse { kLiving, kBedroom, kKitchen };
+enum class Finish { kPaint, kCarpet, kPlanks, kTiles, kWood, kFabric, kPlain, kMirror };
+enum class RoomUse { kLiving, kBedroom, kKitchen, kHall, kCloset };
 
 /// The region inside the inner faces of a room's walls, from a level floor to a level ceiling.
 struct HomeRoom {
@@ -126,8 +132,15 @@ struct Home {
 /// A home that depends on the options alone. Guarantees: HomeProblems(result) is empty; the heading
 /// is at least 3° off the world's axes; flats have three rooms joined by passable doors (one
 /// without leaf, one with an open leaf) and at least one closed door; every room has a lamp and one
-/// or two cameras at 1.3–1.6 m (±1 cm), 1.3 m² of free floor round each. Throws InvalidInputError
-/// for options out of range.
+/// or two cameras at 1.3–1.6 m (±1 cm), 1.3 m² of free floor round each.
+///
+/// Tours have 5–8 rooms, a hall and, from six rooms on, one or two closets among them (rectangles,
+/// L, T and U shapes), walls of different thickness, one or two rooms with a bay or an outer wall
+/// off the axes, doors that are open, ajar and closed, a mirror or a window down to 0.35 m above
+/// the floor, furniture in half of the rooms, and 8–12 cameras: one or more in every room that is
+/// no closet.
+///
+/// Throws InvalidInputError for options out of range.
 [[nodiscard]] Home MakeHome(const HomeOptions& options);
 
 /// What is wrong with a home, one line a fault; empty for a valid one. Rooms must be simple,

@@ -18,8 +18,10 @@ struct WriteHomeOptions {
   RenderOptions render;
 
   void Visit(OptionVisitor& v) {
-    v("width", width, "Width of the panoramas in pixels, even; their height is half of it.",
-      {64, 16384});
+    v("width", width,
+      "Width of the panoramas in pixels, even; their height is half of it. 0: usual for the "
+      "preset.",
+      {0, 16384});
     v("jpeg_quality", jpeg_quality, "Quality of the pictures.", {1, 100});
     v("has_pixel_truth", has_pixel_truth,
       "Also write depth, normals, labels, rooms and walls per pixel below truth/.");

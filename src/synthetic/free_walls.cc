@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/synthetic/free_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "enfilade/geometry/angles.h"
+#include "src/synthetic/openings.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+HomeRoom& RoomOf(Home& home, const SharedWall& stretch) {
+  return *std::find_if(home.rooms.begin(), home.rooms.end(),
+                       [&](const HomeRoom& room) { return room.id == stretch.wall.room_id; });
+}
+
+Ring2::iterator CornerAt(Ring2& ring, const Vector2d& p) {
+  return std::find(ring.begin(), ring.end(), p);
+}
+
+// A bay in the middle of the stretch: 45° sides, a front parallel to the wall.
+bool AddBay(Home& home, const SharedWall& stretch, Random& random) {
+  const double length_m = stretch.end_m - stretch.begin_m;
+  if (length_m < 2.4) return false;
+  const double width_m = random.Millimetres(2.0, std::min(length_m - 0.4, 3.2));
+  const double depth_m = random.Millimetres(0.35, std::min(0.7, 0.5 * (width_m - 0.9)));
+  const Vector2d along = stretch.wall.Along(), out = -stretch.wall.Inward();
+  const Vector2d begin = stretch.wall.a + (stretch.begin_m + 0.5 * (length_m - width_m)) * along;
+  const Vector2d end = begin + width_m * along;
+  Ring2& ring = RoomOf(home, stretch).polygon.outer;
+  ring.insert(CornerAt(ring, stretch.wall.a) + 1,
+              {begin, begin + depth_m * (along + out), end + depth_m * (out - along), end});
+  return true;
+}
+
+// Turns a wall by moving its start outwards along the wall before it: both must be outer walls to
+// their ends, and meet in a convex corner.
+bool TurnWall(Home& home, const SharedWall& stretch, Random& random) {
+  const HomeWall& wall = stretch.wall;
+  const double length_m = (wall.b - wall.a).norm();
+  const double turn_rad = random.Uniform(DegToRad(4), DegToRad(15));
+  if (stretch.begin_m > 0.02 || stretch.end_m < length_m - 0.02 || length_m < 1.5) return false;
+  Ring2& ring = RoomOf(home, stretch).polygon.outer;
+  const auto corner = CornerAt(ring, wall.a);
+  const Vector2d before = corner == ring.begin() ? ring.back() : *(corner - 1);
+  const Vector2d outwards = (wall.a - before).normalized();
+  if (outwards.dot(wall.Inward()) > -1 + 1e-9) return false;
+  const Vector2d moved = wall.a + length_m * std::tan(turn_rad) * outwards;
+  const std::vector<SharedWall> stretches = OuterStretches(home);
+  const bool is_corner_free =
+      std::any_of(stretches.begin(), stretches.end(), [&](const SharedWall& s) {
+        return s.wall.b == wall.a && s.end_m > (s.wall.b - s.wall.a).norm() - 0.02;
+      });
+  if (!is_corner_free) return false;
+  *corner = moved;
+  return true;
+}
+
+}  // namespace
+
+bool AddFreeWalls(Home& home, Random& random) {
+  const int wanted =
+      std::max(1, static_cast<int>(std::lround(0.2 * static_cast<double>(home.rooms.size()) +
+                                               random.Uniform(-0.4, 0.4))));
+  std::set<int> changed;
+  for (int tries = 0; tries < 40 && static_cast<int>(changed.size()) < wanted; ++tries) {
+    const std::vector<SharedWall> stretches = OuterStretches(home);
+    if (stretches.empty()) return false;
+    const SharedWall& stretch =
+        stretches[static_cast<size_t>(random.Index(static_cast<int>(stretches.size())))];
+    if (changed.count(stretch.wall.room_id) > 0) continue;
+    if (RoomOf(home, stretch).use == RoomUse::kCloset) continue;
+    const bool is_bay = random.Chance(0.5);
+    if (is_bay ? AddBay(home, stretch, random) : TurnWall(home, stretch, random))
+      changed.insert(stretch.wall.room_id);
+  }
+  return !changed.empty();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "enfilade/geometry/polygon2.h"
+
+namespace enfilade {
+
+struct Rectangle {
+  Eigen::Vector2d min, max;
+  [[nodiscard]] Eigen::Vector2d Size() const { return max - min; }
+  [[nodiscard]] double Area() const { return Size().prod(); }
+};
+
+/// Counter-clockwise from `min`.
+[[nodiscard]] inline Ring2 RingOf(const Rectangle& r) {
+  return {r.min, {r.max.x(), r.min.y()}, r.max, {r.min.x(), r.max.y()}};
+}
+
+/// Mirrors a ring about the middle of the rectangle, keeping it counter-clockwise.
+inline void Mirror(Ring2& ring, const Rectangle& about, int axis) {
+  for (Eigen::Vector2d& p : ring) p[axis] = about.min[axis] + about.max[axis] - p[axis];
+  std::reverse(ring.begin(), ring.end());
+}
+
+}  // namespace enfilade
