@@ -16,10 +16,14 @@ namespace enfilade {
 /// How a figure is shown.
 enum class FigureUnit { kCount, kShare, kMetres, kSquareMetres, kDegrees, kSeconds, kMegabytes };
 
+/// Which way a figure is better. Neutral ones describe, or depend on the home's size.
+enum class FigureSense { kHigherIsBetter, kLowerIsBetter, kNeutral };
+
 struct FigureInfo {
   std::string_view key;
   std::string_view group;
   FigureUnit unit;
+  FigureSense sense;
 };
 
 /// Every figure of docs/evaluation.md, group by group, in the order in which they are shown.

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "enfilade/base/run_context.h"
+#include "enfilade/evaluate/types.h"
+#include "enfilade/exchange/ground_truth.h"
+#include "enfilade/floorplan/types.h"
+#include "enfilade/pipeline/manifest.h"
+#include "enfilade/pipeline/workspace.h"
+#include "enfilade/scene/types.h"
+#include "enfilade/structure/types.h"
+
+namespace enfilade {
+
+/// What the stages that have run left behind; there is a scene.
+struct Results {
+  std::optional<Scene> scene;
+  std::optional<Structure> structure;
+  std::optional<Floorplan> floorplan;
+};
+
+/// Throws InvalidInputError when not even the first stage has a result, IoError.
+[[nodiscard]] Results LoadResults(const Workspace& workspace, const Manifest& manifest);
+
+/// Compares what is in a result folder, locked by the caller, with the truth: writes
+/// evaluation.json and the overlay there and returns the figures. Throws InvalidInputError,
+/// IoError.
+MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
+                          const Results& results, const GroundTruth& truth, RunContext& context);
+
+}  // namespace enfilade
