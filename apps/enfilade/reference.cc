@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 #include "apps/enfilade/command.h"
+#include "apps/enfilade/synth_home.h"
 #include "enfilade/base/options.h"
 #include "enfilade/pipeline/options.h"
 
@@ -20,12 +23,35 @@ std::string Spelling(const CLI::Option& option) {
   return option.get_expected_max() == 0 ? names : names + " " + option.get_type_name();
 }
 
+std::vector<const CLI::App*> GroupsOf(const CLI::App& parser) {
+  return parser.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); });
+}
+
+// Of the options of a group exactly one must be given.
 std::string UsageLine(const CLI::App& parser) {
   std::string line = "enfilade " + parser.get_name();
   for (const CLI::Option* option : parser.get_options()) {
     if (option->get_required()) line += " " + Spelling(*option);
   }
+  for (const CLI::App* group : GroupsOf(parser)) {
+    std::string choices;
+    for (const CLI::Option* option : group->get_options()) {
+      if (option == group->get_help_ptr()) continue;
+      choices += (choices.empty() ? "" : " | ") + Spelling(*option);
+    }
+    line += " (" + choices + ")";
+  }
   return line + " [options]";
+}
+
+std::string ArgumentRows(const CLI::App& parser) {
+  std::string rows;
+  for (const CLI::Option* option : parser.get_options()) {
+    if (option->get_group().empty() || option == parser.get_help_ptr()) continue;
+    rows += fmt::format("| `{}` | {} |\n", Spelling(*option), option->get_description());
+  }
+  for (const CLI::App* group : GroupsOf(parser)) rows += ArgumentRows(*group);
+  return rows;
 }
 
 std::string CommandSection(const Command& command) {
@@ -33,11 +59,7 @@ std::string CommandSection(const Command& command) {
   const Action action = command.setup(parser);
   std::string text = fmt::format("## {}\n\n{}.\n\n```\n{}\n```\n", command.name, command.summary,
                                  UsageLine(parser));
-  std::string rows;
-  for (const CLI::Option* option : parser.get_options()) {
-    if (option->get_group().empty() || option == parser.get_help_ptr()) continue;
-    rows += fmt::format("| `{}` | {} |\n", Spelling(*option), option->get_description());
-  }
+  const std::string rows = ArgumentRows(parser);
   if (!rows.empty()) text += "\n| argument | meaning |\n|---|---|\n" + rows;
   return text + "\n";
 }
@@ -58,7 +80,10 @@ std::string CommandReference() {
       "Each can be given as `--NAME VALUE` to `run` and to the stage that it belongs to, or in a\n"
       "JSON file with `--config FILE` (`enfilade config --json` prints one with all of them). The\n"
       "command line wins over the file.\n\n";
-  return text + OptionsReference(VisitorOf(defaults));
+  text += OptionsReference(VisitorOf(defaults));
+  SynthOptions synth_defaults;
+  return text + "\n## Options of synth\n\nAs above, for `synth`.\n\n" +
+         OptionsReference(VisitorOf(synth_defaults));
 }
 
 }  // namespace enfilade
