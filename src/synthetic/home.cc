@@ -87,6 +87,16 @@ void FitOutRooms(Home& home, const RoomLayout& layout, Random& random) {
   }
 }
 
+HomeSun RandomSun(Random& random) {
+  const double azimuth = random.Uniform(-kPi, kPi);
+  const double elevation = random.Uniform(DegToRad(20), DegToRad(50));
+  HomeSun sun;
+  sun.direction = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                   std::sin(elevation)};
+  sun.irradiance *= static_cast<float>(random.Uniform(0.7, 1.2));
+  return sun;
+}
+
 // What misleads: a mirror, or a window through which one sees the ground outside.
 void AddDistraction(Home& home, Random& random) {
   if (random.Chance(0.5) || !HangMirror(home, random)) LowerAWindow(home, random);
@@ -117,6 +127,7 @@ std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
   const double heading_rad =
       random.Uniform(DegToRad(3), DegToRad(42)) * (random.Chance(0.5) ? 1 : -1);
   home.home_from_world.rotation = RotationZ(-heading_rad);
+  if (is_tour && random.Chance(0.6)) home.sun = RandomSun(random);
   return home;
 }
 

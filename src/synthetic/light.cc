@@ -155,11 +155,11 @@ Vector3f CosineDirection(const Surface& surface, float s, float t) {
       .normalized();
 }
 
-// Reflected light that arrives at a point, from the light known so far. Windows and lamps count as
-// dark: their light came directly.
-Vector3f GatheredIrradiance(const std::vector<Surface>& surfaces, const RayScene& scene,
-                            const BakedLight& light, const Surface& surface, const Vector3f& point,
-                            int num_rays, Random& random) {
+// Reflected light that arrives at a point, from the sun and the light known so far. Windows and
+// lamps count as dark: their light came directly.
+Vector3f GatheredIrradiance(const Home& home, const std::vector<Surface>& surfaces,
+                            const RayScene& scene, const BakedLight& light, const Surface& surface,
+                            const Vector3f& point, int num_rays, Random& random) {
   const int strata = std::max(1, static_cast<int>(std::sqrt(static_cast<float>(num_rays))));
   Vector3f sum(0, 0, 0);
   for (int i = 0; i < strata * strata; ++i) {
@@ -172,7 +172,10 @@ Vector3f GatheredIrradiance(const std::vector<Surface>& surfaces, const RayScene
     if (!hit) continue;
     const Surface& other = surfaces[static_cast<size_t>(hit->surface_idx)];
     if (other.normal.dot(direction) >= 0) continue;
-    sum += other.rgb.cwiseProduct(light.IrradianceAt(*hit)) / kPi_f;
+    const Vector3f there = point + hit->distance_m * direction + kLift_m * other.normal;
+    sum += other.rgb.cwiseProduct(light.IrradianceAt(*hit) +
+                                  SunIrradiance(home, scene, there, other.normal)) /
+           kPi_f;
   }
   return sum * (kPi_f / static_cast<float>(strata * strata));
 }
@@ -304,6 +307,17 @@ LightGrid MakeLightGrid(const Vector2f& extent, float max_cell_m) {
   return grid;
 }
 
+Vector3f SunIrradiance(const Home& home, const RayScene& scene, const Vector3f& point,
+                       const Vector3f& normal) {
+  constexpr float kOutside_m = 200;
+  if (!home.sun) return Vector3f::Zero();
+  const Vector3f direction = home.sun->direction.cast<float>();
+  const float cosine = normal.dot(direction);
+  if (cosine <= 0 || scene.IsBlocked(point, point + kOutside_m * direction))
+    return Vector3f::Zero();
+  return cosine * home.sun->irradiance;
+}
+
 BakedLight BakeLight(const Home& home, const std::vector<Surface>& surfaces, const RayScene& scene,
                      const RenderOptions& options, RunContext& context) {
   const std::vector<AreaLight> lights = CollectLights(home);
@@ -332,7 +346,7 @@ BakedLight BakeLight(const Home& home, const std::vector<Surface>& surfaces, con
       const Surface& surface = surfaces[idx];
       Random random(PartSeed(home.seed, static_cast<uint64_t>(i)));
       const auto irradiance = [&](const Vector3f& point) {
-        return GatheredIrradiance(surfaces, scene, light, surface, point, options.gather_rays,
+        return GatheredIrradiance(home, surfaces, scene, light, surface, point, options.gather_rays,
                                   random);
       };
       FillGrid(surface, FindOpenCells(surfaces, scene, surface, next[idx]), irradiance, next[idx]);

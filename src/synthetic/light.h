@@ -36,7 +36,7 @@ struct LightGrid {
 [[nodiscard]] LightGrid MakeLightGrid(const Eigen::Vector2f& extent, float max_cell_m);
 
 /// The light on every surface: straight from lamps and windows on a fine grid, reflected on a
-/// coarse one.
+/// coarse one. The sun's own is not among it: grids would blur the edges of its patches.
 struct BakedLight {
   std::vector<LightGrid> direct, reflected;  ///< one a surface
 
@@ -46,9 +46,15 @@ struct BakedLight {
   }
 };
 
+/// What the sun adds at a point of a surface with that normal: all or nothing, at the sharpness of
+/// the asking.
+[[nodiscard]] Eigen::Vector3f SunIrradiance(const Home& home, const RayScene& scene,
+                                            const Eigen::Vector3f& point,
+                                            const Eigen::Vector3f& normal);
+
 /// Works out the light: direct by sampling lamps and windows with shadow rays, then
-/// `options.bounces` times the hemisphere above every coarse cell. Deterministic for any number of
-/// threads.
+/// `options.bounces` times the hemisphere above every coarse cell, sunlit places included.
+/// Deterministic for any number of threads.
 [[nodiscard]] BakedLight BakeLight(const Home& home, const std::vector<Surface>& surfaces,
                                    const RayScene& scene, const RenderOptions& options,
                                    RunContext& context);

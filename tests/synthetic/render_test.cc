@@ -223,6 +223,28 @@ TEST(Render, AMirrorShowsTheRoom) {
   EXPECT_GT(brightness(Finish::kMirror), 140);
 }
 
+TEST(Render, TheSunDrawsItsPatchWhereTheWindowLetsItIn) {
+  Home home =
+      TextHome("room 0,0 4,0 4,3 0,3 | window 1.4,0 2.6,0 | camera 0.9,2.2", {.baseboard_m = 0});
+  const auto brightness_at = [&](const Vector3d& p) {
+    RunContext context;
+    const RenderedPanorama out = HomeRenderer(home, Quick(), context).Render(0, kSize, context);
+    const Rigid3& home_from_cam = home.cameras[0].home_from_cam;
+    const Vector3d ray = home_from_cam.rotation.transpose() * (p - home_from_cam.translation);
+    const auto pixel = EquirectangularCamera(kSize.width, kSize.height).PixelFromRay(ray).value();
+    return static_cast<int>(out.rgb(static_cast<int>(pixel.y()), static_cast<int>(pixel.x()), 1));
+  };
+  const HomeOpening& window = home.openings.at(0);
+  const Vector3d pane(1.7, -0.5 * window.thickness_m, 0.5 * (window.sill_z + window.head_z));
+  const Vector3d sun = Vector3d(0.1, -1, 1).normalized();
+  const Vector3d lit = pane - sun * (pane.z() / sun.z());
+  const Vector3d shaded(3.5, lit.y(), 0);
+  const int lit_before = brightness_at(lit), shaded_before = brightness_at(shaded);
+  home.sun = HomeSun{sun};
+  EXPECT_GT(brightness_at(lit), lit_before + 25);
+  EXPECT_LT(std::abs(brightness_at(shaded) - shaded_before), 25);
+}
+
 TEST(Render, StandCoversTheBottomAndHasNoTruth) {
   const Home home = TextHome("room 0,0 4,0 4,3 0,3");
   RenderOptions options = Quick();

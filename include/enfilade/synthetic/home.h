@@ -106,6 +106,12 @@ struct HomeLamp {
   Eigen::Vector3f radiance{10, 10, 10};
 };
 
+/// Parallel light from outside.
+struct HomeSun {
+  Eigen::Vector3d direction{0, 0, 1};      ///< unit, towards the sun, in the home frame
+  Eigen::Vector3f irradiance{15, 14, 12};  ///< on a surface that faces it
+};
+
 /// Where a panorama is taken. Upright; any heading.
 struct HomeCamera {
   std::string picture;  ///< file name below panos/
@@ -123,6 +129,7 @@ struct Home {
   std::vector<HomeOpening> openings;
   std::vector<HomeBox> boxes;
   std::vector<HomeLamp> lamps;
+  std::optional<HomeSun> sun;  ///< none under clouds
   std::vector<HomeCamera> cameras;
 
   [[nodiscard]] const HomeRoom& RoomById(int id) const;
