@@ -23,6 +23,18 @@ int CountMatches(const std::vector<int>& matches) {
       std::count_if(matches.begin(), matches.end(), [](int i) { return i >= 0; }));
 }
 
+// Pairs that agree in name although both hashes are known.
+int CountChanged(const std::vector<PictureKey>& result, const std::vector<PictureKey>& truth,
+                 const std::vector<int>& matches) {
+  int count = 0;
+  for (size_t i = 0; i < matches.size(); ++i) {
+    if (matches[i] < 0) continue;
+    const std::string& true_hash = truth[static_cast<size_t>(matches[i])].sha256;
+    count += !result[i].sha256.empty() && !true_hash.empty() && result[i].sha256 != true_hash;
+  }
+  return count;
+}
+
 // Throws when pictures are named on both sides and none agree.
 void RequireMatch(const std::vector<PictureKey>& result, const std::vector<PictureKey>& truth,
                   int num_matched) {
@@ -117,6 +129,7 @@ EvaluationReport Evaluate(const EvaluationInput& input, const GroundTruth& truth
     const std::vector<int> matches = MatchPictures(keys, truth_keys);
     report.num_matched = CountMatches(matches);
     RequireMatch(keys, truth_keys, report.num_matched);
+    report.num_changed = CountChanged(keys, truth_keys, matches);
     if (input.structure != nullptr) {
       report.columns =
           EvaluateColumns(*input.scene, *input.structure, truth, matches, options.columns);
@@ -127,6 +140,11 @@ EvaluationReport Evaluate(const EvaluationInput& input, const GroundTruth& truth
   if (input.floorplan != nullptr) EvaluatePlan(*input.floorplan, truth, report.figures);
   context.log().Info("evaluate: " + std::to_string(report.num_matched) + " of " +
                      std::to_string(truth_keys.size()) + " true pictures matched");
+  if (report.num_changed > 0) {
+    context.log().Warning("evaluate: " + std::to_string(report.num_changed) +
+                          " pictures have the truth's names but another content; is it the truth "
+                          "of this home?");
+  }
   return report;
 }
 

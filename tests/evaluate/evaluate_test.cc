@@ -61,6 +61,18 @@ TEST(Evaluate, RefusesTheTruthOfAnotherHome) {
   EXPECT_EQ(Judge({&home.scene, &home.structure, nullptr}, home.truth).num_matched, 1);
 }
 
+// As when a made home was made again with another seed.
+TEST(Evaluate, SaysWhenOnlyTheNamesOfPicturesAgree) {
+  SmallHome home = MakeSmallHome();
+  home.scene.views[0].sha256 = home.truth.views[0].sha256 = "a";
+  home.scene.views[1].sha256 = home.truth.views[1].sha256 = "";
+  home.scene.views[2].sha256 = "b";
+  home.truth.views[2].sha256 = "c";
+  const EvaluationReport report = Judge({&home.scene, &home.structure, nullptr}, home.truth);
+  EXPECT_EQ(report.num_matched, static_cast<int>(home.scene.views.size()));
+  EXPECT_EQ(report.num_changed, 1);
+}
+
 TEST(Evaluate, ATruthWithoutPicturesJudgesThePlan) {
   SmallHome home = MakeSmallHome();
   home.truth.views.clear();

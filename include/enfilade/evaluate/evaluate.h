@@ -32,6 +32,7 @@ struct EvaluationReport {
   MetricReport figures;   ///< one entry for every key of FigureInfos()
   ColumnFigures columns;  ///< with the panoramas one by one
   int num_matched = 0;    ///< pictures of the result that the truth knows
+  int num_changed = 0;    ///< of them, known by name alone: their content is another
 };
 
 /// Judges a result against the truth by docs/evaluation.md. The poses are taken as given: the
@@ -39,7 +40,7 @@ struct EvaluationReport {
 /// `peak_memory_mb`) are left none for the caller to fill.
 ///
 /// Throws InvalidInputError when result and truth both name pictures and none of them agree: the
-/// truth belongs to another home.
+/// truth belongs to another home. Warns when names agree and contents do not.
 [[nodiscard]] EvaluationReport Evaluate(const EvaluationInput& input, const GroundTruth& truth,
                                         const EvaluateOptions& options, RunContext& context);
 
