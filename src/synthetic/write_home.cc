@@ -102,6 +102,7 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
     throw InvalidInputError("width", "is too small", "give 64 pixels or more");
   }
   const ImageSize size{options.width, options.width / 2};
+  CreateFolder(folder / "truth");  // first: it marks what may be replaced, even if this is killed
   CreateFolder(folder / "panos");
   RemoveOldHome(folder, home);
 

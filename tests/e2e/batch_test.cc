@@ -3,6 +3,7 @@
 // `evaluate --batch`: many homes in one table.
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -66,6 +67,18 @@ TEST_F(Batch, MakesJudgesAndGoesOnPastAFailure) {
   WriteManifest(Json::array({QuickRoom("room", 2)}));
   EXPECT_EQ(Run().exit_code, 0);
   EXPECT_NE(ReadJsonFile(output() / "batch.json").at("summary").at("area_iou_net"), area);
+}
+
+TEST_F(Batch, GoesOnWhereItWasKilled) {
+  WriteManifest(Json::array({QuickRoom("room", 1)}));
+  ProgramConditions conditions;
+  conditions.signal = SIGKILL;
+  conditions.signal_when = [&] {
+    return fs::exists(output() / "homes" / "room" / "panos" / "pano_000.jpg");
+  };
+  (void)RunProgram({"evaluate", output(), "--batch", manifest()}, conditions);
+  const ProgramResult result = Run();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
 TEST_F(Batch, RefusesBrokenManifests) {
