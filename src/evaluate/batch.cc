@@ -64,10 +64,6 @@ std::string Shown(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : std::string();
 }
 
-nlohmann::json ToJson(const std::optional<double>& value) {
-  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-}
-
 }  // namespace
 
 std::vector<FigureSummary> SummariseBatch(std::span<const JudgedHome> homes) {
@@ -88,10 +84,10 @@ nlohmann::json BatchToJson(std::span<const JudgedHome> homes) {
         {{"name", home.name}, {"error", home.error}, {"figures", ReportToJson(home.figures)}});
   }
   for (const FigureSummary& summary : SummariseBatch(homes)) {
-    json["summary"][std::string(summary.key)] = {{"mean", ToJson(summary.mean)},
-                                                 {"worst", ToJson(summary.worst)},
-                                                 {"worst_home", summary.worst_home},
-                                                 {"homes", summary.num_homes}};
+    nlohmann::json& entry = json["summary"][std::string(summary.key)];
+    entry = ReportToJson(MetricReport{{"mean", summary.mean}, {"worst", summary.worst}});
+    entry["worst_home"] = summary.worst_home;
+    entry["homes"] = summary.num_homes;
   }
   return json;
 }
