@@ -40,7 +40,8 @@ bool AddBay(Home& home, const SharedWall& stretch, Random& random) {
 
 // Turns a wall by moving its start outwards along the wall before it: both must be outer walls to
 // their ends, and meet in a convex corner.
-bool TurnWall(Home& home, const SharedWall& stretch, Random& random) {
+bool TurnWall(Home& home, const std::vector<SharedWall>& stretches, const SharedWall& stretch,
+              Random& random) {
   const HomeWall& wall = stretch.wall;
   const double length_m = (wall.b - wall.a).norm();
   const double turn_rad = random.Uniform(DegToRad(4), DegToRad(15));
@@ -51,7 +52,6 @@ bool TurnWall(Home& home, const SharedWall& stretch, Random& random) {
   const Vector2d outwards = (wall.a - before).normalized();
   if (outwards.dot(wall.Inward()) > -1 + 1e-9) return false;
   const Vector2d moved = wall.a + length_m * std::tan(turn_rad) * outwards;
-  const std::vector<SharedWall> stretches = OuterStretches(home);
   const bool is_corner_free =
       std::any_of(stretches.begin(), stretches.end(), [&](const SharedWall& s) {
         return s.wall.b == wall.a && s.end_m > (s.wall.b - s.wall.a).norm() - 0.02;
@@ -76,7 +76,7 @@ bool AddFreeWalls(Home& home, Random& random) {
     if (changed.count(stretch.wall.room_id) > 0) continue;
     if (RoomOf(home, stretch).use == RoomUse::kCloset) continue;
     const bool is_bay = random.Chance(0.5);
-    if (is_bay ? AddBay(home, stretch, random) : TurnWall(home, stretch, random))
+    if (is_bay ? AddBay(home, stretch, random) : TurnWall(home, stretches, stretch, random))
       changed.insert(stretch.wall.room_id);
   }
   return !changed.empty();

@@ -172,7 +172,7 @@ Vector3f GatheredIrradiance(const Home& home, const std::vector<Surface>& surfac
     if (!hit) continue;
     const Surface& other = surfaces[static_cast<size_t>(hit->surface_idx)];
     if (other.normal.dot(direction) >= 0) continue;
-    const Vector3f there = point + hit->distance_m * direction + kLift_m * other.normal;
+    const Vector3f there = point + hit->distance_m * direction;
     sum += other.rgb.cwiseProduct(light.IrradianceAt(*hit) +
                                   SunIrradiance(home, scene, there, other.normal)) /
            kPi_f;
@@ -313,7 +313,8 @@ Vector3f SunIrradiance(const Home& home, const RayScene& scene, const Vector3f& 
   if (!home.sun) return Vector3f::Zero();
   const Vector3f direction = home.sun->direction.cast<float>();
   const float cosine = normal.dot(direction);
-  if (cosine <= 0 || scene.IsBlocked(point, point + kOutside_m * direction))
+  const Vector3f lifted = point + kLift_m * normal;
+  if (cosine <= 0 || scene.IsBlocked(lifted, lifted + kOutside_m * direction))
     return Vector3f::Zero();
   return cosine * home.sun->irradiance;
 }

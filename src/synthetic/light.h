@@ -46,7 +46,7 @@ struct BakedLight {
   }
 };
 
-/// What the sun adds at a point of a surface with that normal: all or nothing, at the sharpness of
+/// What the sun adds at a point on a surface with that normal: all or nothing, at the sharpness of
 /// the asking.
 [[nodiscard]] Eigen::Vector3f SunIrradiance(const Home& home, const RayScene& scene,
                                             const Eigen::Vector3f& point,

@@ -71,7 +71,7 @@ Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vecto
   if (!hit) return SkyRadiance(direction);
   if (hit_out != nullptr) *hit_out = hit;
   const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
-  const Vector3f point = origin + hit->distance_m * direction + 1e-3f * surface.normal;
+  const Vector3f point = origin + hit->distance_m * direction;
   const Vector3f irradiance =
       lit.light.IrradianceAt(*hit) + SunIrradiance(lit.home, *lit.scene, point, surface.normal);
   return ReflectanceAt(surface, hit->u, hit->v).cwiseProduct(irradiance) / kPi_f;
