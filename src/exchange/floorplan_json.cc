@@ -59,6 +59,7 @@ Json ToJson(const Room& room) {
           {"holes", holes},
           {"floor_z", Length(room.floor_z)},
           {"ceiling_z", Length(room.ceiling_z)},
+          {"ceiling", room.has_level_ceiling ? "level" : "sloped"},
           {"area_m2", Length(Area(room.polygon))},
           {"area_sigma_m2", Length(room.area_sigma_m2)}};
 }
@@ -152,6 +153,8 @@ Room RoomOf(const Json& json, double storey_floor_z, const std::string& where) {
   }
   room.floor_z = NumberOr(json, "floor_z", storey_floor_z, where);
   room.ceiling_z = JsonNumber(json, "ceiling_z", where);
+  room.has_level_ceiling =
+      !json.contains("ceiling") || JsonString(json, "ceiling", where) == "level";
   room.area_sigma_m2 = NumberOr(json, "area_sigma_m2", 0, where);
   return room;
 }

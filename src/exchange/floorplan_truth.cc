@@ -101,7 +101,7 @@ void AppendRoom(const Room& room, int storey_idx, const std::vector<Cut>& cuts,
   made.region.push_back({to_world(room.polygon.outer), {}});
   for (const Ring2& hole : room.polygon.holes) made.region[0].holes.push_back(to_world(hole));
   made.floor_z = to_world.Height(room.floor_z);
-  made.ceiling_z = to_world.Height(room.ceiling_z);
+  if (room.has_level_ceiling) made.ceiling_z = to_world.Height(room.ceiling_z);
   truth.rooms.push_back(std::move(made));
 }
 

@@ -29,7 +29,7 @@ Floorplan TwoRooms() {
   storey.floor_z = -0.1;
   storey.rooms.push_back(
       {7, {ParseRing("0,0 4,0 4,3 0,3"), {ParseRing("1,1 1,2 2,2 2,1")}}, -0.1, 2.4, 0.25});
-  storey.rooms.push_back({8, {ParseRing("4.1,0 6,0 6,3 4.1,3"), {}}, -0.1, 2.5, 0.5});
+  storey.rooms.push_back({8, {ParseRing("4.1,0 6,0 6,3 4.1,3"), {}}, -0.1, 2.5, 0.5, false});
   storey.walls.push_back({1, {4, 0}, {4, 3}, 7, 8, 0.1, true, WallSeen::kPartly, 0.02});
   storey.walls.push_back({2, {0, 0}, {4, 0}, 7, std::nullopt, 0.2, false, WallSeen::kSeen, 0.01});
   storey.openings.push_back({5, OpeningKind::kDoor, 1, {4, 1}, {4, 1.8}, -0.1, 1.9, 7, 8});
@@ -83,6 +83,8 @@ TEST_F(FloorplanJsonTest, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(Area(storey.rooms[0].polygon), 11);
   EXPECT_EQ(storey.rooms[1].ceiling_z, 2.5);
   EXPECT_EQ(storey.rooms[1].area_sigma_m2, 0.5);
+  EXPECT_TRUE(storey.rooms[0].has_level_ceiling);
+  EXPECT_FALSE(storey.rooms[1].has_level_ceiling);
   ASSERT_EQ(storey.walls.size(), 2U);
   EXPECT_EQ(storey.walls[0].other_room_id, 8);
   EXPECT_EQ(storey.walls[1].other_room_id, std::nullopt);

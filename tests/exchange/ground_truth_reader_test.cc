@@ -82,6 +82,16 @@ TEST(FloorplanTruth, DoorsCutBothFacesOfTheirWall) {
   EXPECT_TRUE(truth.doors[0][0].isApprox(Eigen::Vector2d(1, -4.05), 1e-6));
 }
 
+TEST(FloorplanTruth, ASlopedCeilingHasNoHeight) {
+  const TempFolder temp;
+  Floorplan plan = TwoRooms();
+  plan.storeys[0].rooms[1].has_level_ceiling = false;
+  WriteFloorplanJson(temp / "truth" / "floorplan.json", plan, Json::object());
+  const GroundTruth truth = ReadGroundTruth(temp.path());
+  EXPECT_TRUE(truth.rooms[0].ceiling_z.has_value());
+  EXPECT_FALSE(truth.rooms[1].ceiling_z.has_value());
+}
+
 TEST(FloorplanTruth, APictureShowsTheOutlineOfItsRoom) {
   const TempFolder temp;
   WriteFloorplanJson(temp / "floorplan.json", TwoRooms(), Json::object());

@@ -22,6 +22,7 @@ struct Room {
   double floor_z = 0;
   double ceiling_z = 0;
   double area_sigma_m2 = 0;
+  bool has_level_ceiling = true;  ///< else ceiling_z is the ceiling's mean height
 };
 
 enum class WallSeen { kSeen, kPartly, kInferred };
