@@ -28,9 +28,11 @@ Action SetupSynth(CLI::App& parser) {
   SynthOptions defaults;
   arguments->common.Register(parser);
   arguments->options.Register(parser, VisitorOf(defaults));
-  arguments->options.RegisterAlias(parser, "--preset", "home.preset", "room, flat or tour");
-  arguments->options.RegisterAlias(parser, "--width", "pictures.width",
-                                   "Width of the panoramas in pixels; 2048 for tours, else 1024");
+  arguments->options.RegisterAlias(parser, "--preset", "home.preset",
+                                   "room, flat, tour, furnished, walk or hard");
+  arguments->options.RegisterAlias(
+      parser, "--width", "pictures.width",
+      "Width of the panoramas in pixels; 2048 for tour and hard, else 1024");
   const CLI::Option* seed = parser.get_option("--seed");
   return [arguments, seed] {
     SynthOptions options;

@@ -14,6 +14,12 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr int kTries = 40;
+
+const SharedWall& PickFrom(const std::vector<SharedWall>& stretches, Random& random) {
+  return stretches[static_cast<size_t>(random.Index(static_cast<int>(stretches.size())))];
+}
+
 HomeRoom& RoomOf(Home& home, const SharedWall& stretch) {
   return *std::find_if(home.rooms.begin(), home.rooms.end(),
                        [&](const HomeRoom& room) { return room.id == stretch.wall.room_id; });
@@ -35,6 +41,28 @@ bool AddBay(Home& home, const SharedWall& stretch, Random& random) {
   Ring2& ring = RoomOf(home, stretch).polygon.outer;
   ring.insert(CornerAt(ring, stretch.wall.a) + 1,
               {begin, begin + depth_m * (along + out), end + depth_m * (out - along), end});
+  return true;
+}
+
+// A bow in the middle of the stretch: an arc of a circle in eight pieces.
+bool AddBow(Home& home, const SharedWall& stretch, Random& random) {
+  constexpr int kPieces = 8;
+  const double length_m = stretch.end_m - stretch.begin_m;
+  if (length_m < 2.4) return false;
+  const double half_m = 0.5 * random.Millimetres(2.0, std::min(length_m - 0.4, 3.4));
+  const double depth_m = random.Millimetres(0.4, 0.7);
+  const double radius_m = 0.5 * (half_m * half_m / depth_m + depth_m);
+  const double half_rad = std::asin(half_m / radius_m);
+  const Vector2d along = stretch.wall.Along(), out = -stretch.wall.Inward();
+  const Vector2d middle = stretch.wall.a + 0.5 * (stretch.begin_m + stretch.end_m) * along;
+  std::vector<Vector2d> arc;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double turn = half_rad * (2.0 * i / kPieces - 1);
+    arc.push_back(middle + radius_m * std::sin(turn) * along +
+                  (depth_m - radius_m + radius_m * std::cos(turn)) * out);
+  }
+  Ring2& ring = RoomOf(home, stretch).polygon.outer;
+  ring.insert(CornerAt(ring, stretch.wall.a) + 1, arc.begin(), arc.end());
   return true;
 }
 
@@ -68,11 +96,10 @@ bool AddFreeWalls(Home& home, Random& random) {
       std::max(1, static_cast<int>(std::lround(0.2 * static_cast<double>(home.rooms.size()) +
                                                random.Uniform(-0.4, 0.4))));
   std::set<int> changed;
-  for (int tries = 0; tries < 40 && static_cast<int>(changed.size()) < wanted; ++tries) {
+  for (int tries = 0; tries < kTries && static_cast<int>(changed.size()) < wanted; ++tries) {
     const std::vector<SharedWall> stretches = OuterStretches(home);
     if (stretches.empty()) return false;
-    const SharedWall& stretch =
-        stretches[static_cast<size_t>(random.Index(static_cast<int>(stretches.size())))];
+    const SharedWall& stretch = PickFrom(stretches, random);
     if (changed.count(stretch.wall.room_id) > 0) continue;
     if (RoomOf(home, stretch).use == RoomUse::kCloset) continue;
     const bool is_bay = random.Chance(0.5);
@@ -80,6 +107,15 @@ bool AddFreeWalls(Home& home, Random& random) {
       changed.insert(stretch.wall.room_id);
   }
   return !changed.empty();
+}
+
+bool AddCurvedWall(Home& home, Random& random) {
+  for (int tries = 0; tries < kTries; ++tries) {
+    const std::vector<SharedWall> stretches = OuterStretches(home);
+    if (stretches.empty()) return false;
+    if (AddBow(home, PickFrom(stretches, random), random)) return true;
+  }
+  return false;
 }
 
 }  // namespace enfilade

@@ -12,4 +12,7 @@ namespace enfilade {
 /// For homes without openings. Returns false when no room has an outer wall that allows it.
 [[nodiscard]] bool AddFreeWalls(Home& home, Random& random);
 
+/// Rounds a part of one outer wall outwards, 0.4–0.7 m deep. Returns false when none takes it.
+[[nodiscard]] bool AddCurvedWall(Home& home, Random& random);
+
 }  // namespace enfilade

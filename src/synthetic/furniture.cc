@@ -2,53 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/synthetic/furniture.h"
 
-#include <array>
+#include "src/synthetic/built_ins.h"
+#include "src/synthetic/furniture_parts.h"
 
 namespace enfilade {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3f;
-
-constexpr std::array<std::array<float, 3>, 5> kWoods = {{{0.42f, 0.26f, 0.14f},
-                                                         {0.55f, 0.40f, 0.25f},
-                                                         {0.25f, 0.15f, 0.09f},
-                                                         {0.72f, 0.70f, 0.66f},
-                                                         {0.62f, 0.50f, 0.35f}}};
-constexpr std::array<std::array<float, 3>, 6> kFabrics = {{{0.22f, 0.25f, 0.30f},
-                                                           {0.45f, 0.40f, 0.34f},
-                                                           {0.16f, 0.24f, 0.22f},
-                                                           {0.50f, 0.22f, 0.14f},
-                                                           {0.30f, 0.30f, 0.31f},
-                                                           {0.58f, 0.55f, 0.50f}}};
-
-struct Look {
-  Vector3f rgb;
-  Finish finish = Finish::kPlain;
-};
-
-Look operator*(float factor, const Look& look) { return {factor * look.rgb, look.finish}; }
-
-template <size_t N>
-Look Pick(const std::array<std::array<float, 3>, N>& colours, Finish finish, Random& random) {
-  const auto& c = colours[static_cast<size_t>(random.Index(static_cast<int>(N)))];
-  return {Vector3f(c[0], c[1], c[2]) * static_cast<float>(random.Uniform(0.85, 1.1)), finish};
-}
-
-Look Wood(Random& random) { return Pick(kWoods, Finish::kWood, random); }
-Look Fabric(Random& random) { return Pick(kFabrics, Finish::kFabric, random); }
-
-// The box [x0, x1] × [y0, y1] × [z0, z1] in the frame of the piece.
-void Add(FurniturePiece& piece, Vector2d x, Vector2d y, Vector2d z, const Look& look) {
-  HomeBox box;
-  box.center = {0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])};
-  box.size = {x[1] - x[0], y[1] - y[0]};
-  box.z0 = z[0];
-  box.z1 = z[1];
-  box.rgb = look.rgb;
-  box.finish = look.finish;
-  piece.boxes.push_back(box);
-}
 
 void AddLegs(FurniturePiece& piece, Vector2d x, Vector2d y, double top_m, const Look& look) {
   constexpr double kLeg_m = 0.05;
@@ -157,24 +118,6 @@ FurniturePiece Bookshelf(Random& random) {
   return piece;
 }
 
-FurniturePiece KitchenRun(Random& random) {
-  const double w = random.Millimetres(1.8, 2.5), d = 0.62;
-  FurniturePiece piece{{w, d}, true, true, {}};
-  const Look front =
-      random.Chance(0.6) ? Look{{0.70f, 0.70f, 0.68f}, Finish::kPlain} : Wood(random);
-  const int num_units = static_cast<int>(w / 0.55);
-  Add(piece, {-w / 2, w / 2}, {0, d - 0.08}, {0, 0.1}, {{0.08f, 0.08f, 0.08f}, Finish::kPlain});
-  Add(piece, {-w / 2, w / 2}, {0, d - 0.04}, {0.1, 0.87}, 0.5f * front);
-  Add(piece, {-w / 2, w / 2}, {0, 0.33}, {1.42, 2.05}, 0.5f * front);
-  for (int i = 0; i < num_units; ++i) {
-    const double left = -w / 2 + i * w / num_units, right = left + w / num_units;
-    Add(piece, {left + 0.003, right - 0.003}, {d - 0.04, d - 0.02}, {0.105, 0.865}, front);
-    Add(piece, {left + 0.003, right - 0.003}, {0.33, 0.35}, {1.42, 2.05}, front);
-  }
-  Add(piece, {-w / 2, w / 2}, {0, d}, {0.87, 0.91}, Wood(random));
-  return piece;
-}
-
 FurniturePiece DiningTable(Random& random) {
   const double w = random.Millimetres(1.1, 1.5), d = 0.8, h = 0.74;
   FurniturePiece piece{{w, d + 0.9}, false, false, {}};
@@ -200,7 +143,10 @@ std::vector<FurniturePiece> FurnitureFor(RoomUse use, Random& random) {
     case RoomUse::kBedroom:
       return {Bed(random), Wardrobe(random), Drawers(random), Bookshelf(random)};
     case RoomUse::kKitchen:
-      return {KitchenRun(random), DiningTable(random), Sideboard(random)};
+      return {KitchenRun({.width_m = random.Millimetres(1.8, 2.5)}, random), DiningTable(random),
+              Sideboard(random)};
+    case RoomUse::kBath:
+      return {Drawers(random)};
     case RoomUse::kHall:
     case RoomUse::kCloset:
       return {};

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
+#include "src/synthetic/cameras.h"
 #include "src/synthetic/free_walls.h"
+#include "src/synthetic/niches.h"
 #include "src/synthetic/openings.h"
 #include "src/synthetic/placement.h"
+#include "src/synthetic/recipe.h"
 #include "src/synthetic/rooms.h"
 
 namespace enfilade {
@@ -20,18 +24,14 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3f;
 
-constexpr int kRoomsOfFlat = 3;
+// Parts of a home whose numbers come from streams of their own.
+enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms };
 
-std::optional<RoomLayout> MakeLayout(HomePreset preset, Random& random) {
-  switch (preset) {
-    case HomePreset::kRoom:
-      return MakeRoomLayout(1, random);
-    case HomePreset::kFlat:
-      return MakeRoomLayout(kRoomsOfFlat, random);
-    case HomePreset::kTour:
-      break;
-  }
-  return MakeHallLayout(5 + random.Index(4), random);
+std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, uint64_t seed, Random& random) {
+  Random count(PartSeed(seed, static_cast<uint64_t>(SeedPart::kRoomCount)));
+  const int num_rooms = recipe.min_rooms + count.Index(recipe.max_rooms - recipe.min_rooms + 1);
+  return recipe.layout == LayoutKind::kHall ? MakeHallLayout(num_rooms, random)
+                                            : MakeRoomLayout(num_rooms, random);
 }
 
 void AddRooms(Home& home, const RoomLayout& layout, Random& random) {
@@ -97,26 +97,105 @@ HomeSun RandomSun(Random& random) {
   return sun;
 }
 
-// What misleads: a mirror, or a window through which one sees the ground outside.
-void AddDistraction(Home& home, Random& random) {
-  if (random.Chance(0.5) || !HangMirror(home, random)) LowerAWindow(home, random);
+// Of the rooms to sleep or cook in, the smallest becomes the bath and the largest the kitchen.
+void AssignWetRooms(Home& home) {
+  std::vector<HomeRoom*> rooms;
+  for (HomeRoom& room : home.rooms) {
+    if (room.use == RoomUse::kBedroom || room.use == RoomUse::kKitchen) {
+      room.use = RoomUse::kBedroom;
+      rooms.push_back(&room);
+    }
+  }
+  std::stable_sort(rooms.begin(), rooms.end(), [](const HomeRoom* a, const HomeRoom* b) {
+    return Area(a->polygon) < Area(b->polygon);
+  });
+  const auto use = [](HomeRoom& room, RoomUse wet, Random& random) {
+    room.use = wet;
+    room.floor_finish = Finish::kTiles;
+    room.floor_rgb = FloorColour(Finish::kTiles, random);
+  };
+  Random random(PartSeed(home.seed, static_cast<uint64_t>(SeedPart::kWetRooms)));
+  if (!rooms.empty()) use(*rooms.front(), RoomUse::kBath, random);
+  if (rooms.size() > 1) use(*rooms.back(), RoomUse::kKitchen, random);
+}
+
+// Gives one room a ceiling that rises along an axis, and others a moulding under theirs.
+void ShapeCeilings(Home& home, const HomeRecipe& recipe, Random& random) {
+  for (HomeRoom& room : home.rooms) {
+    if (random.Chance(recipe.crown_chance)) room.crown_m = random.Millimetres(0.05, 0.10);
+  }
+  if (!random.Chance(recipe.slope_chance)) return;
+  HomeRoom& room =
+      home.rooms[static_cast<size_t>(random.Index(static_cast<int>(home.rooms.size())))];
+  if (room.use == RoomUse::kHall || room.use == RoomUse::kCloset) return;
+  room.crown_m = 0;
+  room.ceiling_z = room.floor_z + random.Millimetres(2.25, 2.4);
+  const double rise = random.Uniform(0.15, 0.4) * (random.Chance(0.5) ? 1 : -1);
+  room.ceiling_slope = random.Chance(0.5) ? Vector2d(rise, 0) : Vector2d(0, rise);
+}
+
+bool ShapeRooms(Home& home, const HomeRecipe& recipe, Random& random) {
+  if (recipe.has_built_ins) AssignWetRooms(home);
+  if (recipe.has_free_walls && !AddFreeWalls(home, random)) return false;
+  if (recipe.has_curved_wall && !AddCurvedWall(home, random)) return false;
+  if (recipe.num_niches > 0 && !AddNiches(home, recipe.num_niches, random)) return false;
+  if (recipe.num_pillars > 0 && !AddPillars(home, recipe.num_pillars, random)) return false;
+  if (recipe.slope_chance + recipe.crown_chance > 0) ShapeCeilings(home, recipe, random);
+  return true;
+}
+
+bool CutOpenings(Home& home, const HomeRecipe& recipe, double max_thickness_m, Random& random) {
+  for (int i = 0; i < recipe.num_wide_openings; ++i) {
+    if (!AddWideOpening(home, max_thickness_m, random)) return false;
+  }
+  if (!AddDoors(home, max_thickness_m, recipe.doors, random)) return false;
+  for (int i = 0; i < recipe.num_glass_walls; ++i) {
+    if (!AddGlassWall(home, max_thickness_m, random)) return false;
+  }
+  if (!AddWindows(home, random)) return false;
+  if (recipe.has_glass_door) GlazeADoor(home, random);
+  return true;
+}
+
+bool FillRooms(Home& home, const HomeRecipe& recipe, double furniture, Random& random) {
+  if (recipe.has_mirror_or_low_window && (random.Chance(0.5) || !HangMirror(home, random)))
+    LowerAWindow(home, random);
+  for (int i = 0; i < recipe.num_mirrors; ++i) {
+    if (!HangMirror(home, random)) return false;
+  }
+  if (recipe.has_built_ins && !BuildIn(home, recipe.has_cabinets_to_ceiling, random)) return false;
+  FurnishRooms(home, {furniture, recipe.furnished_rooms}, random);
+  return true;
+}
+
+bool PlaceAllCameras(Home& home, const HomeRecipe& recipe, Random& random) {
+  switch (recipe.cameras) {
+    case CameraPlan::kRooms:
+      return PlaceCameras(home, random);
+    case CameraPlan::kTour:
+      return PlaceTourCameras(home, random);
+    case CameraPlan::kWalk:
+      break;
+  }
+  return PlaceWalkCameras(home, random);
 }
 
 std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
+  const HomeRecipe recipe = RecipeFor(options.preset);
   Home home;
   home.seed = static_cast<uint64_t>(options.seed);
-  const bool is_tour = options.preset == HomePreset::kTour;
-  const std::optional<RoomLayout> layout = MakeLayout(options.preset, random);
+  const std::optional<RoomLayout> layout = MakeLayout(recipe, home.seed, random);
   if (!layout) return std::nullopt;
   AddRooms(home, *layout, random);
   FitOutRooms(home, *layout, random);
-  if (is_tour && !AddFreeWalls(home, random)) return std::nullopt;
-  const DoorMix mix = is_tour ? DoorMix{true, 0.2} : DoorMix{};
-  if (!AddDoors(home, layout->max_wall_thickness_m + 1e-6, mix, random)) return std::nullopt;
-  if (!AddWindows(home, random)) return std::nullopt;
-  if (is_tour) AddDistraction(home, random);
-  FurnishRooms(home, {options.furniture, is_tour ? 0.5 : 1.0}, random);
-  if (!(is_tour ? PlaceTourCameras(home, random) : PlaceCameras(home, random))) return std::nullopt;
+  if (!ShapeRooms(home, recipe, random)) return std::nullopt;
+  if (!CutOpenings(home, recipe, layout->max_wall_thickness_m + 1e-6, random)) return std::nullopt;
+  if (!FillRooms(home, recipe, options.furniture, random)) return std::nullopt;
+  if (!PlaceAllCameras(home, recipe, random)) return std::nullopt;
+  if (recipe.min_hidden_floor_line > 0 &&
+      !HideFloorLine(home, recipe.min_hidden_floor_line, random)) {
+    return std::nullopt;
+  }
   std::vector<float> radiance;
   for (const HomeRoom& room : home.rooms) {
     // About the same light on every floor, whatever its size.
@@ -127,18 +206,28 @@ std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
   const double heading_rad =
       random.Uniform(DegToRad(3), DegToRad(42)) * (random.Chance(0.5) ? 1 : -1);
   home.home_from_world.rotation = RotationZ(-heading_rad);
-  if (is_tour && random.Chance(0.6)) home.sun = RandomSun(random);
+  if (random.Chance(recipe.sun_chance)) home.sun = RandomSun(random);
+  DisturbCameras(home, recipe, random);
   return home;
 }
 
 }  // namespace
 
 std::span<const std::string_view> EnumNames(HomePreset) {
-  static constexpr std::array<std::string_view, 3> kNames = {"room", "flat", "tour"};
+  static constexpr std::array<std::string_view, 6> kNames = {"room",      "flat", "tour",
+                                                             "furnished", "walk", "hard"};
   return kNames;
 }
 
-int UsualWidth(HomePreset preset) { return preset == HomePreset::kTour ? 2048 : 1024; }
+int UsualWidth(HomePreset preset) {
+  return preset == HomePreset::kTour || preset == HomePreset::kHard ? 2048 : 1024;
+}
+
+double HomeRoom::CeilingAt(const Vector2d& p) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector2d& corner : polygon.outer) lowest = std::min(lowest, ceiling_slope.dot(corner));
+  return ceiling_z + ceiling_slope.dot(p) - lowest;
+}
 
 Ring2 HomeBox::Footprint() const {
   const Eigen::Rotation2Dd turn(yaw_rad);
@@ -157,6 +246,12 @@ const HomeRoom& Home::RoomById(int id) const {
 Rigid3 Home::WorldFromCamera(int camera_idx) const {
   ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(cameras.size()));
   return home_from_world.Inverse() * cameras[static_cast<size_t>(camera_idx)].home_from_cam;
+}
+
+Rigid3 Home::ClaimedWorldFromCamera(int camera_idx) const {
+  ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(cameras.size()));
+  const HomeCamera& camera = cameras[static_cast<size_t>(camera_idx)];
+  return home_from_world.Inverse() * camera.claimed_home_from_cam.value_or(camera.home_from_cam);
 }
 
 Home MakeHome(const HomeOptions& options) {

@@ -6,7 +6,9 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "enfilade/synthetic/home.h"
+#include "src/synthetic/outline.h"
 #include "src/synthetic/placement.h"
+#include "src/synthetic/standing_space.h"
 
 namespace enfilade {
 namespace {
@@ -25,6 +27,12 @@ void CheckRooms(const Home& home, Problems& problems) {
       problems.push_back(
           fmt::format("room {}: its outline is not simple and counter-clockwise", room.id));
       return;
+    }
+    for (const Ring2& hole : room.polygon.holes) {
+      const bool is_inside = Area(Difference({{hole, {}}}, {{room.polygon.outer, {}}})) == 0;
+      if (!IsSimple(hole) || SignedArea(hole) >= 0 || !is_inside)
+        problems.push_back(
+            fmt::format("room {}: a pillar is not inside it and clockwise", room.id));
     }
     if (room.ceiling_z - room.floor_z < 1.8)
       problems.push_back(fmt::format("room {}: too low", room.id));
@@ -78,47 +86,39 @@ void CheckOpenings(const Home& home, Problems& problems) {
   }
 }
 
-// Whether the circles round the boxes meet: the exact test is slow.
-bool MayOverlap(const HomeBox& a, const HomeBox& b) {
-  return (a.center - b.center).norm() < 0.5 * (a.size.norm() + b.size.norm());
-}
-
-bool MayBlock(const HomeBox& box, const HomeOpening& door) {
-  constexpr double kReach_m = 2.5;  // of the clearance round the door's middle
-  return (box.center - 0.5 * (door.a + door.b)).norm() < 0.5 * box.size.norm() + kReach_m;
-}
-
 void CheckFurniture(const Home& home, Problems& problems) {
   for (size_t i = 0; i < home.boxes.size(); ++i) {
     const HomeBox& box = home.boxes[i];
-    const MultiPolygon2 footprint = {{box.Footprint(), {}}};
+    const Ring2 footprint = box.Footprint();
     const HomeRoom& room = home.RoomById(box.room_id);
-    if (Area(Difference(footprint, {room.polygon})) > kTolerance_m2 ||
-        box.z0 < room.floor_z - 1e-9 || box.z1 > room.ceiling_z || box.z1 <= box.z0) {
+    if (!IsConvexInside(footprint, room.polygon) || box.z0 < room.floor_z - 1e-9 ||
+        box.z1 > room.ceiling_z || box.z1 <= box.z0) {
       problems.push_back(fmt::format("box {}: leaves room {}", i, room.id));
     }
     for (const HomeOpening& opening : home.openings) {
-      if (opening.kind == OpeningKind::kWindow || !MayBlock(box, opening)) continue;
-      if (Area(Intersection(footprint, DoorClearance(opening))) > kTolerance_m2) {
-        problems.push_back(fmt::format("box {}: stands in the way of door {}", i, opening.id));
+      if (opening.kind == OpeningKind::kWindow) continue;
+      for (const Ring2& part : DoorClearance(opening)) {
+        if (DoConvexOverlap(footprint, part))
+          problems.push_back(fmt::format("box {}: stands in the way of door {}", i, opening.id));
       }
     }
     for (size_t j = i + 1; j < home.boxes.size(); ++j) {
       const HomeBox& other = home.boxes[j];
-      if (other.item == box.item || !MayOverlap(box, other)) continue;
-      if (Area(Intersection(footprint, {{other.Footprint(), {}}})) > kTolerance_m2) {
+      if (other.item == box.item || box.z0 >= other.z1 || other.z0 >= box.z1) continue;
+      if (DoConvexOverlap(footprint, other.Footprint()))
         problems.push_back(fmt::format("boxes {} and {} overlap", i, j));
-      }
     }
   }
 }
 
 void CheckCameras(const Home& home, Problems& problems) {
+  const StandingSpace space(home);
   for (const HomeCamera& camera : home.cameras) {
     const Vector2d p = camera.home_from_cam.translation.head<2>();
     const HomeRoom& room = home.RoomById(camera.room_id);
     const double z = camera.home_from_cam.translation.z();
-    if (Clearance(home, room.id, p) < kMinCameraClearance_m || z <= room.floor_z ||
+    const bool is_in_room = space.RoomAt(p) == room.id;
+    if (!is_in_room || space.Clearance(p) < kMinCameraClearance_m || z <= room.floor_z ||
         z >= room.ceiling_z) {
       problems.push_back(fmt::format("camera {}: not in free space", camera.picture));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 
 namespace enfilade {
 namespace {
@@ -114,6 +115,42 @@ bool LooksOutside(const Home& home, const SharedWall& stretch) {
   return true;
 }
 
+HomeOpening* RandomWindow(Home& home, Random& random) {
+  std::vector<HomeOpening*> windows;
+  for (HomeOpening& opening : home.openings) {
+    if (opening.kind == OpeningKind::kWindow && !opening.other_room_id) windows.push_back(&opening);
+  }
+  if (windows.empty()) return nullptr;
+  return windows[static_cast<size_t>(random.Index(static_cast<int>(windows.size())))];
+}
+
+// A free part of the wall between two rooms that are no closets.
+struct WallSpan {
+  SharedWall shared;
+  double begin_m = 0, end_m = 0;
+};
+
+std::optional<WallSpan> FindSpan(const Home& home, double max_thickness_m, double min_width_m,
+                                 double max_width_m, Random& random) {
+  constexpr int kTries = 20;
+  std::vector<SharedWall> shared =
+      FindSharedWalls(home, max_thickness_m, min_width_m + 2 * kCornerGap_m);
+  std::erase_if(shared, [&](const SharedWall& s) {
+    return home.RoomById(s.wall.room_id).use == RoomUse::kCloset ||
+           home.RoomById(s.other_room_id).use == RoomUse::kCloset;
+  });
+  for (int tries = 0; tries < kTries && !shared.empty(); ++tries) {
+    const SharedWall& s =
+        shared[static_cast<size_t>(random.Index(static_cast<int>(shared.size())))];
+    const double free_m = s.end_m - s.begin_m - 2 * kCornerGap_m;
+    const double width_m = random.Millimetres(min_width_m, std::min(free_m, max_width_m));
+    const double begin_m = s.begin_m + kCornerGap_m + random.Millimetres(0, free_m - width_m);
+    if (IsFree(home, s.wall, begin_m, begin_m + width_m))
+      return WallSpan{s, begin_m, begin_m + width_m};
+  }
+  return std::nullopt;
+}
+
 bool AddEntrance(Home& home, Random& random) {
   std::vector<SharedWall> stretches = OuterStretches(home);
   Shuffle(stretches, random);
@@ -159,19 +196,31 @@ bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& ra
   Shuffle(shared, random);
   std::vector<int> group(home.rooms.size());
   std::iota(group.begin(), group.end(), 0);
+  const auto join = [&](int room_id, int other_room_id) {
+    const int from = group[static_cast<size_t>(room_id)];
+    const int to = group[static_cast<size_t>(other_room_id)];
+    std::replace(group.begin(), group.end(), to, from);
+  };
+  for (const HomeOpening& opening : home.openings) join(opening.room_id, *opening.other_room_id);
+  const size_t states = mix.has_ajar ? 3 : 2;
   std::vector<SharedWall> rest;
+  size_t num_doors = 0;
   for (const SharedWall& s : shared) {
-    const int from = group[static_cast<size_t>(s.wall.room_id)];
-    const int to = group[static_cast<size_t>(s.other_room_id)];
-    if (from == to) {
+    const auto room_idx = static_cast<size_t>(s.wall.room_id);
+    if (group[room_idx] == group[static_cast<size_t>(s.other_room_id)]) {
       rest.push_back(s);
-    } else if (AddDoor(home, s, kStates[home.openings.size() % (mix.has_ajar ? 3 : 2)], random)) {
-      std::replace(group.begin(), group.end(), to, from);
+    } else if (AddDoor(home, s, kStates[num_doors % states], random)) {
+      join(s.wall.room_id, s.other_room_id);
+      ++num_doors;
     }
   }
   if (std::any_of(group.begin(), group.end(), [&](int g) { return g != group[0]; })) return false;
   for (const SharedWall& s : rest) {
-    if (random.Chance(mix.closed_inner_share)) (void)AddDoor(home, s, kClosed, random);
+    if (random.Chance(mix.closed_inner_share)) {
+      (void)AddDoor(home, s, kClosed, random);
+    } else if (mix.open_inner_share > 0 && random.Chance(mix.open_inner_share)) {
+      (void)AddDoor(home, s, kOpen, random);
+    }
   }
   return AddEntrance(home, random);
 }
@@ -203,14 +252,45 @@ bool AddWindows(Home& home, Random& random) {
 }
 
 void LowerAWindow(Home& home, Random& random) {
-  std::vector<HomeOpening*> windows;
-  for (HomeOpening& opening : home.openings) {
-    if (opening.kind == OpeningKind::kWindow) windows.push_back(&opening);
-  }
-  if (windows.empty()) return;
-  HomeOpening& window =
-      *windows[static_cast<size_t>(random.Index(static_cast<int>(windows.size())))];
-  window.sill_z = home.RoomById(window.room_id).floor_z + random.Millimetres(0.15, 0.35);
+  HomeOpening* window = RandomWindow(home, random);
+  if (window == nullptr) return;
+  window->sill_z = home.RoomById(window->room_id).floor_z + random.Millimetres(0.15, 0.35);
+}
+
+void GlazeADoor(Home& home, Random& random) {
+  HomeOpening* window = RandomWindow(home, random);
+  if (window == nullptr) return;
+  window->sill_z = home.RoomById(window->room_id).floor_z + 0.03;
+}
+
+bool AddWideOpening(Home& home, double max_thickness_m, Random& random) {
+  constexpr double kMinWidth_m = 1.6, kMaxWidth_m = 3.2;
+  const std::optional<WallSpan> span =
+      FindSpan(home, max_thickness_m, kMinWidth_m, kMaxWidth_m, random);
+  if (!span) return false;
+  const double lowest = std::min(home.RoomById(span->shared.wall.room_id).ceiling_z,
+                                 home.RoomById(span->shared.other_room_id).ceiling_z);
+  HomeOpening opening = MakeOpening(home, span->shared.wall, span->begin_m, span->end_m);
+  opening.kind = OpeningKind::kOpening;
+  opening.other_room_id = span->shared.other_room_id;
+  opening.thickness_m = span->shared.thickness_m;
+  opening.head_z = lowest - random.Millimetres(0.05, 0.3);
+  home.openings.push_back(opening);
+  return true;
+}
+
+bool AddGlassWall(Home& home, double max_thickness_m, Random& random) {
+  constexpr double kMinWidth_m = 1.2, kMaxWidth_m = 2.4;
+  const std::optional<WallSpan> span =
+      FindSpan(home, max_thickness_m, kMinWidth_m, kMaxWidth_m, random);
+  if (!span) return false;
+  HomeOpening glass = MakeOpening(home, span->shared.wall, span->begin_m, span->end_m);
+  glass.kind = OpeningKind::kWindow;
+  glass.other_room_id = span->shared.other_room_id;
+  glass.thickness_m = span->shared.thickness_m;
+  glass.sill_z += 0.03;
+  home.openings.push_back(glass);
+  return true;
 }
 
 }  // namespace enfilade

@@ -26,12 +26,13 @@ struct SharedWall {
 struct DoorMix {
   bool has_ajar = false;            ///< every third passable door is hardly open
   double closed_inner_share = 0.7;  ///< of the pairs of neighbours that are joined already
+  double open_inner_share = 0;      ///< of the rest of these: loops of rooms
 };
 
-/// Joins the rooms by doors (0.8–0.9 m wide, 2.0 m high): a random spanning tree of passable ones,
-/// the first without leaf, the second with an open leaf, the third ajar if the mix has such; then
-/// closed doors between other neighbours, and a closed entrance. Returns false when the rooms
-/// cannot be joined or no outer wall takes the entrance.
+/// Joins the rooms by doors (0.8–0.9 m wide, 2.0 m high): a random spanning tree of passable ones
+/// over those that openings join already, the first without leaf, the second with an open leaf, the
+/// third ajar if the mix has such; then doors between other neighbours, and a closed entrance.
+/// Returns false when the rooms cannot be joined or no outer wall takes the entrance.
 [[nodiscard]] bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& random);
 
 /// One or two windows in the outer walls of most rooms. Returns false when none has one.
@@ -39,5 +40,16 @@ struct DoorMix {
 
 /// Brings the sill of one window down to 0.15–0.35 m above the floor.
 void LowerAWindow(Home& home, Random& random);
+
+/// Turns a window into a glazed door: glass down to 3 cm above the floor.
+void GlazeADoor(Home& home, Random& random);
+
+/// Opens 1.6 m or more of the wall between two rooms that are no closets, nearly up to the ceiling.
+/// Returns false when no wall is long enough.
+[[nodiscard]] bool AddWideOpening(Home& home, double max_thickness_m, Random& random);
+
+/// Glazes 1.2 m or more of the wall between two rooms that are no closets, from the floor to the
+/// height of a door: a window from room to room. Returns false when no wall is long enough.
+[[nodiscard]] bool AddGlassWall(Home& home, double max_thickness_m, Random& random);
 
 }  // namespace enfilade

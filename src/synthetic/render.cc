@@ -21,11 +21,19 @@ namespace enfilade {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
+/// The glass of a window: a level edge, the height above it, and the unit normal towards its room.
+/// Light goes through it as if it were not there, but one sees the room in it.
+struct GlassPane {
+  Vector3f origin, along, normal;
+  float height = 0;
+};
+
 /// A home ready to be looked at.
 struct LitHome {
   Home home;
   RenderOptions options;
   std::vector<Surface> surfaces;
+  std::vector<GlassPane> panes;
   std::unique_ptr<RayScene> scene;
   BakedLight light;
   std::map<int, float> exposure_of_room;
@@ -37,6 +45,7 @@ constexpr double kWallTone = 0.82;
 constexpr float kMirrorReflectance = 0.9f;
 constexpr float kPi_f = static_cast<float>(kPi);
 constexpr double kLampThickness_m = 0.06;
+constexpr double kPaneDepth = 0.6;   // share of the wall's thickness
 constexpr float kShadeGlow = 0.10f;  // lamps are this share of their radiance: what the shade shows
 
 // Distance to the nearest lamp's shade (a flat box) along the ray; infinity when none is hit.
@@ -77,20 +86,69 @@ Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vecto
   return ReflectanceAt(surface, hit->u, hit->v).cwiseProduct(irradiance) / kPi_f;
 }
 
-Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3f& direction) {
+float Fresnel(float cosine) {
+  return 0.04f + 0.96f * std::pow(1 - std::clamp(cosine, 0.0f, 1.0f), 5.0f);  // Schlick 1994
+}
+
+std::vector<GlassPane> CollectPanes(const Home& home) {
+  std::vector<GlassPane> panes;
+  for (const HomeOpening& opening : home.openings) {
+    if (opening.kind != OpeningKind::kWindow) continue;
+    const Eigen::Vector2d into = opening.IntoWall(), along = opening.b - opening.a;
+    const Eigen::Vector2d corner = opening.a + kPaneDepth * opening.thickness_m * into;
+    GlassPane pane;
+    pane.origin = Vector3d(corner.x(), corner.y(), opening.sill_z).cast<float>();
+    pane.along = Vector3d(along.x(), along.y(), 0).cast<float>();
+    pane.normal = Vector3d(-into.x(), -into.y(), 0).cast<float>();
+    pane.height = static_cast<float>(opening.head_z - opening.sill_z);
+    panes.push_back(pane);
+  }
+  return panes;
+}
+
+// Distance to the nearest pane along the ray, none beyond `far_m`.
+const GlassPane* PaneBefore(const std::vector<GlassPane>& panes, const Vector3f& origin,
+                            const Vector3f& direction, float far_m, float& distance_m) {
+  const GlassPane* nearest = nullptr;
+  for (const GlassPane& pane : panes) {
+    const float at_m = pane.normal.dot(pane.origin - origin) / pane.normal.dot(direction);
+    if (!(at_m > 0 && at_m < far_m)) continue;
+    const Vector3f offset = origin + at_m * direction - pane.origin;
+    const float u = offset.dot(pane.along) / pane.along.squaredNorm();
+    if (u < 0 || u > 1 || offset.z() < 0 || offset.z() > pane.height) continue;
+    far_m = distance_m = at_m;
+    nearest = &pane;
+  }
+  return nearest;
+}
+
+Vector3f OpaqueRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
+                        float* distance_m) {
   std::optional<RayHit> hit;
   const Vector3f diffuse = DiffuseRadiance(lit, origin, direction, &hit);
+  *distance_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
   if (!hit) return diffuse;
   const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
   const bool is_mirror = surface.finish == Finish::kMirror;
   if (surface.gloss <= 0 && !is_mirror) return diffuse;
   const float cosine = std::clamp(-surface.normal.dot(direction), 0.0f, 1.0f);
-  const float fresnel = 0.04f + 0.96f * std::pow(1 - cosine, 5.0f);  // Schlick 1994
   const Vector3f mirrored = direction + 2 * cosine * surface.normal;
   const Vector3f start = origin + hit->distance_m * direction + 1e-3f * surface.normal;
   const Vector3f image = DiffuseRadiance(lit, start, mirrored.normalized(), nullptr);
-  const float weight = is_mirror ? kMirrorReflectance : surface.gloss * fresnel;
+  const float weight = is_mirror ? kMirrorReflectance : surface.gloss * Fresnel(cosine);
   return (1 - weight) * diffuse + weight * image;
+}
+
+Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3f& direction) {
+  float far_m = 0, pane_m = 0;
+  const Vector3f behind = OpaqueRadiance(lit, origin, direction, &far_m);
+  const GlassPane* pane = PaneBefore(lit.panes, origin, direction, far_m, pane_m);
+  if (pane == nullptr) return behind;
+  const float cosine = pane->normal.dot(direction);
+  const Vector3f mirrored = direction - 2 * cosine * pane->normal;
+  const Vector3f start = origin + pane_m * direction;
+  const float weight = Fresnel(std::abs(cosine));
+  return (1 - weight) * behind + weight * DiffuseRadiance(lit, start, mirrored, nullptr);
 }
 
 struct WallLight {
@@ -256,6 +314,7 @@ HomeRenderer::HomeRenderer(const Home& home, const RenderOptions& options, RunCo
   lit->options = options;
   ValidateOptions(VisitorOf(lit->options), "synthetic rendering");
   lit->surfaces = MakeSurfaces(home);
+  lit->panes = CollectPanes(home);
   lit->scene = std::make_unique<RayScene>(lit->surfaces);
   lit->light = BakeLight(home, lit->surfaces, *lit->scene, lit->options, context);
   lit->exposure_of_room = ChooseExposures(lit->surfaces, lit->light);
@@ -278,7 +337,8 @@ RenderedPanorama HomeRenderer::Render(int camera_idx, ImageSize size, RunContext
                      .home_from_cam = home_from_cam.rotation,
                      .world_from_home = home.home_from_world.rotation.transpose(),
                      .stand_turn = Random(seed).Uniform(),
-                     .exposure = home_->exposure_of_room.at(home_camera.room_id),
+                     .exposure = static_cast<float>(home_camera.exposure) *
+                                 home_->exposure_of_room.at(home_camera.room_id),
                      .offsets = SampleOffsets(home_->options.samples_per_pixel)};
   RenderedPanorama out = BlankPanorama(size);
   ImageF ideal(size.height, size.width, 3);

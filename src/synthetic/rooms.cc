@@ -3,6 +3,7 @@
 #include "src/synthetic/rooms.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "src/synthetic/rectangle.h"
@@ -78,10 +79,10 @@ Ring2 SingleRoom(const Rectangle& whole, double thickness_m, Random& random) {
 std::optional<RoomLayout> MakeRoomLayout(int num_rooms, Random& random) {
   RoomLayout layout;
   layout.max_wall_thickness_m = random.Millimetres(0.10, 0.15);
-  const Vector2d size =
-      num_rooms == 1
-          ? Vector2d(random.Millimetres(3.2, 6.5), random.Millimetres(2.8, 5.0))
-          : Vector2d(random.Millimetres(2.5, 3.4), random.Millimetres(1.9, 2.6)) * num_rooms;
+  const Vector2d size = num_rooms == 1
+                            ? Vector2d(random.Millimetres(3.2, 6.5), random.Millimetres(2.8, 5.0))
+                            : Vector2d(random.Millimetres(2.5, 3.4), random.Millimetres(1.9, 2.6)) *
+                                  std::sqrt(3.0 * num_rooms);  // about 20 m² a room
   const Rectangle whole{{0, 0}, size};
   layout.max = size;
   if (num_rooms == 1) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "enfilade/geometry/triangulate.h"
+#include "src/synthetic/outline.h"
 #include "src/synthetic/random.h"
 #include "src/synthetic/surface.h"
 
@@ -21,19 +22,25 @@ Vector3d At(const Vector2d& p, double z) { return {p.x(), p.y(), z}; }
 
 void AddLevel(const HomeRoom& room, bool is_floor, SurfaceList& list) {
   const Triangulation2 triangulation = Triangulate(room.polygon);
-  Vector2d low = triangulation.vertices[0], high = low;
+  const Vector2d slope = is_floor ? Vector2d(0, 0) : room.ceiling_slope;
+  const Vector3d up = Vector3d(-slope.x(), -slope.y(), 1).normalized();
+  const Vector3d axis_u = Vector3d(1, 0, slope.x()).normalized(), axis_v = up.cross(axis_u);
+  // Vertices in the plane's own axes; their least ones become the origin.
+  const Vector2d corner = triangulation.vertices[0];
+  const Vector3d start = At(corner, is_floor ? room.floor_z : room.CeilingAt(corner));
+  std::vector<Vector2d> places;
   for (const Vector2d& p : triangulation.vertices) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    const Vector3d offset = At(p, is_floor ? room.floor_z : room.CeilingAt(p)) - start;
+    places.emplace_back(axis_u.dot(offset), axis_v.dot(offset));
   }
+  const Rectangle bounds = BoundsOf(places);
   Surface surface;
-  surface.origin = At(low, is_floor ? room.floor_z : room.ceiling_z).cast<float>();
-  surface.axis_u = Vector3f::UnitX();
-  surface.axis_v = Vector3f::UnitY();
-  surface.normal = is_floor ? Vector3f(0, 0, 1) : Vector3f(0, 0, -1);
-  surface.extent = (high - low).cast<float>();
-  for (const Vector2d& p : triangulation.vertices)
-    surface.vertices.push_back((p - low).cast<float>());
+  surface.origin = (start + bounds.min.x() * axis_u + bounds.min.y() * axis_v).cast<float>();
+  surface.axis_u = axis_u.cast<float>();
+  surface.axis_v = axis_v.cast<float>();
+  surface.normal = (is_floor ? up : -up).cast<float>();
+  surface.extent = bounds.Size().cast<float>();
+  for (const Vector2d& p : places) surface.vertices.push_back((p - bounds.min).cast<float>());
   surface.triangles = triangulation.triangles;
   surface.finish = is_floor ? room.floor_finish : Finish::kPaint;
   surface.rgb = is_floor ? room.floor_rgb : Vector3f(kCeilingWhite.data());
@@ -58,13 +65,14 @@ std::vector<Hole> HolesIn(const Home& home, const HomeWall& wall) {
   return holes;
 }
 
-// Adds [u0, u1] × [z0, z1] to a wall whose vertices count z from `floor_z`.
-void AddPanel(Surface& surface, double u0, double u1, double z0, double z1, double floor_z) {
-  if (u1 - u0 < 1e-9 || z1 - z0 < 1e-9) return;
+// Adds the part of a wall over [u0, u1], from z0 up to the heights z1 at u0 and u1; heights count
+// from the floor.
+void AddPanel(Surface& surface, double u0, double u1, double z0, const Vector2d& z1) {
+  if (u1 - u0 < 1e-9 || z1.minCoeff() - z0 < 1e-9) return;
   const int first = static_cast<int>(surface.vertices.size());
   for (const Vector2d& p :
-       {Vector2d(u0, z0), Vector2d(u1, z0), Vector2d(u1, z1), Vector2d(u0, z1)}) {
-    surface.vertices.push_back(Vector2d(p.x(), p.y() - floor_z).cast<float>());
+       {Vector2d(u0, z0), Vector2d(u1, z0), Vector2d(u1, z1[1]), Vector2d(u0, z1[0])}) {
+    surface.vertices.push_back(p.cast<float>());
   }
   surface.triangles.push_back({first, first + 1, first + 2});
   surface.triangles.push_back({first, first + 2, first + 3});
@@ -78,15 +86,22 @@ void AddWall(const Home& home, const HomeWall& wall, SurfaceList& list) {
   surface.axis_v = Vector3f::UnitZ();
   surface.normal = At(wall.Inward(), 0).cast<float>();
   const double length_m = (wall.b - wall.a).norm();
-  surface.extent = Vector2d(length_m, room.ceiling_z - room.floor_z).cast<float>();
+  const auto ceiling = [&](double u) {
+    return room.CeilingAt(wall.a + u * wall.Along()) - room.floor_z;
+  };
+  surface.extent = Vector2d(length_m, std::max(ceiling(0), ceiling(length_m))).cast<float>();
+  const auto add_full = [&](double u0, double u1, double z0) {
+    AddPanel(surface, u0, u1, z0, {ceiling(u0), ceiling(u1)});
+  };
   double begin_m = 0;
   for (const Hole& hole : HolesIn(home, wall)) {
-    AddPanel(surface, begin_m, hole.begin_m, room.floor_z, room.ceiling_z, room.floor_z);
-    AddPanel(surface, hole.begin_m, hole.end_m, room.floor_z, hole.sill_z, room.floor_z);
-    AddPanel(surface, hole.begin_m, hole.end_m, hole.head_z, room.ceiling_z, room.floor_z);
+    const double sill_m = hole.sill_z - room.floor_z, head_m = hole.head_z - room.floor_z;
+    add_full(begin_m, hole.begin_m, 0);
+    AddPanel(surface, hole.begin_m, hole.end_m, 0, {sill_m, sill_m});
+    add_full(hole.begin_m, hole.end_m, head_m);
     begin_m = hole.end_m;
   }
-  AddPanel(surface, begin_m, length_m, room.floor_z, room.ceiling_z, room.floor_z);
+  add_full(begin_m, length_m, 0);
   surface.finish = Finish::kPaint;
   // Hardly two walls of a home are equally white.
   Random random(PartSeed(home.seed, static_cast<uint64_t>(1000 + wall.id)));

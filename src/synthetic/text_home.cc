@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "enfilade/base/check.h"
+#include "src/synthetic/cameras.h"
 #include "src/synthetic/openings.h"
 #include "src/synthetic/placement.h"
 

@@ -90,6 +90,16 @@ void AddBaseboards(const Home& home, const HomeWall& wall, const SurfaceTraits& 
   }
 }
 
+// A moulding in the angle of wall and ceiling.
+void AddCrown(const Home& home, const HomeWall& wall, SurfaceList& list) {
+  const HomeRoom& room = home.RoomById(wall.room_id);
+  if (room.crown_m <= 0) return;
+  const SurfaceTraits traits = WallTraits(wall, {0.82f, 0.82f, 0.80f});
+  list.AddBox(BoxOnWall(wall, 0, (wall.b - wall.a).norm(), 0, 0.6 * room.crown_m,
+                        room.ceiling_z - room.crown_m, room.ceiling_z),
+              traits);
+}
+
 // Frame round a door on one face of its wall.
 void AddCasing(const HomeOpening& door, const HomeWall& wall, std::pair<double, double> on,
                const SurfaceTraits& look, SurfaceList& list) {
@@ -182,13 +192,15 @@ void AddTrim(const Home& home, SurfaceList& list) {
   const TrimColours colours = PickTrimColours(home);
   for (const HomeWall& wall : HomeWalls(home)) {
     AddBaseboards(home, wall, colours.baseboard, list);
+    AddCrown(home, wall, list);
     for (const HomeOpening& opening : home.openings) {
       const auto on = OpeningOnWall(opening, wall);
       if (!on) continue;
-      if (opening.kind == OpeningKind::kWindow) AddWindow(opening, wall, *on, list);
+      const bool is_own = opening.room_id == wall.room_id;
+      if (opening.kind == OpeningKind::kWindow && is_own) AddWindow(opening, wall, *on, list);
       if (opening.kind != OpeningKind::kDoor) continue;
       AddCasing(opening, wall, *on, colours.frame, list);
-      if (opening.room_id == wall.room_id) AddDoorLeaf(opening, wall, *on, colours.frame, list);
+      if (is_own) AddDoorLeaf(opening, wall, *on, colours.frame, list);
     }
   }
 }

@@ -3,7 +3,10 @@
 #include "enfilade/synthetic/truth.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/triangulate.h"
 #include "src/synthetic/openings.h"
 #include "src/synthetic/placement.h"
 
@@ -11,6 +14,7 @@ namespace enfilade {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 constexpr double kHanging_m = 0.5;
 constexpr double kMaxThickness_m = 0.5;
@@ -103,7 +107,62 @@ void AddRing(const Ring2& ring, int room_id, std::vector<PlanSegment>& segments)
   }
 }
 
+double MeanCeiling(const HomeRoom& room) {
+  if (room.HasLevelCeiling()) return room.ceiling_z;
+  const Triangulation2 parts = Triangulate(room.polygon);
+  double volume_m3 = 0;
+  for (const std::array<int, 3>& t : parts.triangles) {
+    const Vector2d &a = parts.vertices[static_cast<size_t>(t[0])],
+                   &b = parts.vertices[static_cast<size_t>(t[1])],
+                   &c = parts.vertices[static_cast<size_t>(t[2])];
+    volume_m3 += 0.5 * Cross(b - a, c - a) * room.CeilingAt((a + b + c) / 3);
+  }
+  return volume_m3 / Area(room.polygon);
+}
+
+// Whether the box stands between two points: clips the segment by its faces, in its own axes.
+bool StandsBetween(const HomeBox& box, const Vector3d& from, const Vector3d& to) {
+  const Eigen::Rotation2Dd back(-box.yaw_rad);
+  const auto local = [&](const Vector3d& p) {
+    const Vector2d q = back * (p.head<2>() - box.center);
+    return Vector3d(q.x(), q.y(), p.z() - 0.5 * (box.z0 + box.z1));
+  };
+  const Vector3d origin = local(from), step = local(to) - origin;
+  const Vector3d half(0.5 * box.size.x(), 0.5 * box.size.y(), 0.5 * (box.z1 - box.z0));
+  double enter = 0, leave = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (-half[k] - origin[k]) / step[k], b = (half[k] - origin[k]) / step[k];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter < leave;
+}
+
 }  // namespace
+
+double HiddenFloorLineShare(const Home& home) {
+  constexpr int kDirections = 360;
+  const PlanSegments segments = MakePlanSegments(home);
+  int num_seen = 0, num_hidden = 0;
+  for (const HomeCamera& camera : home.cameras) {
+    const Vector3d eye = camera.home_from_cam.translation;
+    const double floor_z = home.RoomById(camera.room_id).floor_z;
+    for (int i = 0; i < kDirections; ++i) {
+      const double azimuth = 2 * kPi * (i + 0.5) / kDirections;
+      const Vector2d direction(std::cos(azimuth), std::sin(azimuth));
+      const auto hit = CastPlanRay(segments.walls, eye.head<2>(), direction);
+      if (!hit || segments.walls[static_cast<size_t>(hit->segment_idx)].wall_id < 0) continue;
+      const Vector2d foot = eye.head<2>() + hit->distance_m * direction;
+      const Vector3d seen(foot.x(), foot.y(), floor_z);
+      const bool is_hidden =
+          std::any_of(home.boxes.begin(), home.boxes.end(),
+                      [&](const HomeBox& box) { return StandsBetween(box, eye, seen); });
+      (is_hidden ? num_hidden : num_seen) += 1;
+    }
+  }
+  const int total = num_seen + num_hidden;
+  return total > 0 ? static_cast<double>(num_hidden) / total : 0;
+}
 
 Floorplan TruthFloorplan(const Home& home) {
   Floorplan plan;
@@ -111,7 +170,11 @@ Floorplan TruthFloorplan(const Home& home) {
   Storey storey;
   storey.floor_z = home.rooms.empty() ? 0 : home.rooms[0].floor_z;
   for (const HomeRoom& room : home.rooms) {
-    storey.rooms.push_back({room.id, room.polygon, room.floor_z, room.ceiling_z, 0});
+    storey.rooms.push_back({.id = room.id,
+                            .polygon = room.polygon,
+                            .floor_z = room.floor_z,
+                            .ceiling_z = MeanCeiling(room),
+                            .has_level_ceiling = room.HasLevelCeiling()});
   }
   storey.walls = TruthWalls(home);
   storey.openings = TruthOpenings(home);

@@ -42,7 +42,7 @@ Json Transforms(const Home& home, ImageSize size) {
   for (size_t i = 0; i < home.cameras.size(); ++i) {
     frames.push_back(
         {{"file_path", "panos/" + home.cameras[i].picture},
-         {"transform_matrix", TransformMatrix(home.WorldFromCamera(static_cast<int>(i)))}});
+         {"transform_matrix", TransformMatrix(home.ClaimedWorldFromCamera(static_cast<int>(i)))}});
   }
   return {{"camera_model", "EQUIRECTANGULAR"},
           {"w", size.width},

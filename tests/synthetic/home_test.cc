@@ -10,10 +10,12 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
+#include "enfilade/synthetic/truth.h"
 
 namespace enfilade {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 Home Make(int seed, HomePreset preset) {
@@ -73,20 +75,22 @@ void ExpectPromisedCameras(const Home& home) {
 
 TEST(MakeHome, FlatsHoldWhatThePresetPromisesOver200Seeds) {
   int num_l_shapes = 0, num_two_cameras = 0, num_boxes = 0;
+  std::set<size_t> room_counts;
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Home home = Make(seed, HomePreset::kFlat);
     ASSERT_THAT(HomeProblems(home), IsEmpty());
-    EXPECT_EQ(home.rooms.size(), 3u);
-    EXPECT_EQ(ReachableRooms(home).size(), 3u);
+    room_counts.insert(home.rooms.size());
+    EXPECT_EQ(ReachableRooms(home).size(), home.rooms.size());
     ExpectPromisedOpenings(home);
     ExpectPromisedCameras(home);
-    num_two_cameras += home.cameras.size() > 3;
+    num_two_cameras += home.cameras.size() > home.rooms.size();
     for (const HomeRoom& room : home.rooms) num_l_shapes += room.polygon.outer.size() == 6;
     num_boxes += static_cast<int>(home.boxes.size());
     const Eigen::Matrix3d& r = home.home_from_world.rotation;
     EXPECT_GE(std::abs(WrapQuarter(std::atan2(r(1, 0), r(0, 0)))), DegToRad(2.9));
   }
+  EXPECT_THAT(room_counts, ElementsAre(3, 4, 5));
   EXPECT_GE(num_l_shapes, 40);
   EXPECT_GE(num_two_cameras, 100);
   EXPECT_GE(num_boxes, 200 * 10);
@@ -132,7 +136,7 @@ DoorCounts CountDoors(const Home& home) {
 int NumFurnishedRooms(const Home& home) {
   std::set<int> rooms;
   for (const HomeBox& box : home.boxes) {
-    if (box.finish != Finish::kMirror) rooms.insert(box.room_id);
+    if (box.finish != Finish::kMirror && !box.is_built_in) rooms.insert(box.room_id);
   }
   return static_cast<int>(rooms.size());
 }
@@ -188,6 +192,105 @@ TEST(MakeHome, ToursHoldWhatThePresetPromisesOver200Seeds) {
   EXPECT_GE(num_l_or_u, 200);
   EXPECT_GE(num_free, num_rooms * 0.15);
   EXPECT_GE(num_furnished, num_rooms * 0.3);
+}
+
+bool HasBuiltIns(const Home& home, RoomUse use) {
+  return std::any_of(home.boxes.begin(), home.boxes.end(), [&](const HomeBox& box) {
+    return box.is_built_in && home.RoomById(box.room_id).use == use;
+  });
+}
+
+TEST(MakeHome, FurnitureHidesTheFloorLineOver200Seeds) {
+  int num_baths = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kFurnished);
+    ASSERT_THAT(HomeProblems(home), IsEmpty());
+    EXPECT_GE(HiddenFloorLineShare(home), 0.4);
+    EXPECT_GE(home.rooms.size(), 3u);
+    EXPECT_LE(home.rooms.size(), 5u);
+    num_baths += HasBuiltIns(home, RoomUse::kBath);
+  }
+  EXPECT_GE(num_baths, 150);
+}
+
+TEST(MakeHome, WalksAreDenseAndPassEveryRoomOver50Seeds) {
+  for (int seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kWalk);
+    ASSERT_THAT(HomeProblems(home), IsEmpty());
+    std::set<int> seen;
+    for (size_t i = 0; i < home.cameras.size(); ++i) {
+      seen.insert(home.cameras[i].room_id);
+      if (i == 0) continue;
+      const Eigen::Vector3d step =
+          home.cameras[i].home_from_cam.translation - home.cameras[i - 1].home_from_cam.translation;
+      EXPECT_LE(step.norm(), 0.7);
+    }
+    EXPECT_EQ(seen.size(), home.rooms.size());
+    EXPECT_GE(home.cameras.size(), 6 * home.rooms.size());
+  }
+}
+
+struct HardParts {
+  int wide_openings = 0, glass_walls = 0, glass_doors = 0, mirrors = 0, pillars = 0, to_ceiling = 0;
+};
+
+HardParts CountHardParts(const Home& home) {
+  HardParts parts;
+  for (const HomeOpening& opening : home.openings) {
+    const double width_m = (opening.b - opening.a).norm();
+    const bool is_window = opening.kind == OpeningKind::kWindow;
+    const double sill_m = opening.sill_z - home.RoomById(opening.room_id).floor_z;
+    parts.wide_openings += opening.kind == OpeningKind::kOpening && width_m > 1.5;
+    parts.glass_walls += is_window && opening.other_room_id && sill_m < 0.05;
+    parts.glass_doors += is_window && !opening.other_room_id && sill_m < 0.05;
+  }
+  for (const HomeBox& box : home.boxes) {
+    parts.mirrors += box.finish == Finish::kMirror;
+    parts.to_ceiling += box.z1 > home.RoomById(box.room_id).ceiling_z - 1e-9;
+  }
+  for (const HomeRoom& room : home.rooms)
+    parts.pillars += static_cast<int>(room.polygon.holes.size());
+  return parts;
+}
+
+double TiltOf(const HomeCamera& camera) {
+  return std::acos(std::min(1.0, -camera.home_from_cam.rotation(2, 1)));
+}
+
+TEST(MakeHome, HardHomesHoldWhatThePresetPromisesOver200Seeds) {
+  int num_sloped = 0, num_loops = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kHard);
+    ASSERT_THAT(HomeProblems(home), IsEmpty());
+    const HardParts parts = CountHardParts(home);
+    EXPECT_GE(parts.wide_openings, 1);
+    EXPECT_GE(parts.glass_walls, 1);
+    EXPECT_GE(parts.glass_doors, 1);
+    EXPECT_GE(parts.mirrors, 2);
+    EXPECT_GE(parts.pillars, 1);
+    EXPECT_GE(parts.to_ceiling, 1);
+    EXPECT_GE(NumRoomsOf(home, RoomUse::kCloset), 1);
+    ExpectTourCameras(home);
+    size_t num_passable = 0;
+    for (const HomeOpening& opening : home.openings) num_passable += opening.IsPassable();
+    num_loops += num_passable >= home.rooms.size();
+    double most_tilt = 0, least_exposure = 9, most_exposure = 0;
+    for (const HomeCamera& camera : home.cameras) {
+      most_tilt = std::max(most_tilt, TiltOf(camera));
+      least_exposure = std::min(least_exposure, camera.exposure);
+      most_exposure = std::max(most_exposure, camera.exposure);
+      EXPECT_TRUE(camera.claimed_home_from_cam.has_value());
+    }
+    EXPECT_GT(most_tilt, DegToRad(0.8));
+    EXPECT_LT(most_tilt, DegToRad(3.5));
+    EXPECT_GT(most_exposure / least_exposure, 1.25);
+    for (const HomeRoom& room : home.rooms) num_sloped += !room.HasLevelCeiling();
+  }
+  EXPECT_GE(num_sloped, 40);
+  EXPECT_GE(num_loops, 60);
 }
 
 TEST(MakeHome, SameSeedSameHomeOtherSeedOtherHome) {

@@ -223,6 +223,54 @@ TEST(Render, AMirrorShowsTheRoom) {
   EXPECT_GT(brightness(Finish::kMirror), 140);
 }
 
+TEST(Render, ASlopedCeilingIsAPlane) {
+  Home home = TextHome("room 0,0 4,0 4,3 0,3 | camera 2,1.2");
+  home.rooms[0].ceiling_slope = {0.3, -0.1};
+  const Vector3d eye(2, 1.2, 1.5), up = Vector3d(-0.3, 0.1, 1).normalized();
+  const Vector3d lowest(0, 3, 2.5);
+  const RenderedPanorama out = RenderFirst(home, Quick());
+  int num_ceiling = 0;
+  for (int row = 0; row < kSize.height / 2; ++row) {
+    for (int col = 0; col < kSize.width; ++col) {
+      if (out.label(row, col) != static_cast<uint8_t>(SurfaceLabel::kCeiling)) continue;
+      ++num_ceiling;
+      const Vector3d ray = RayInHome(home, row, col);
+      ASSERT_NEAR(out.range_m(row, col), up.dot(lowest - eye) / up.dot(ray), 1e-4);
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(out.normal(row, col, k), -up[k], 1e-5);
+    }
+  }
+  EXPECT_GT(num_ceiling, 4000);
+  EXPECT_NEAR(TruthFloorplan(home).storeys[0].rooms[0].ceiling_z, 2.5 + 0.3 * 2 + 0.1 * 1.5, 1e-9);
+  EXPECT_FALSE(TruthFloorplan(home).storeys[0].rooms[0].has_level_ceiling);
+}
+
+TEST(Render, ExposureBrightensThePicture) {
+  Home home = TextHome("room 0,0 4,0 4,3 0,3 | camera 2,1.2");
+  const RenderedPanorama usual = RenderFirst(home, Quick());
+  home.cameras[0].exposure = 1.5;
+  const RenderedPanorama bright = RenderFirst(home, Quick());
+  EXPECT_GT(bright.rgb(64, 10, 1), usual.rgb(64, 10, 1) + 10);
+}
+
+TEST(Render, GlassShowsTheNextRoomAndFaintlyOnesOwn) {
+  Home home = TextHome(
+      "room 0,0 4,0 4,3 0,3 | room 4.1,0 8,0 8,3 4.1,3 | camera 3.6,0.4 | opening 4,0.5 4,2.5");
+  home.lamps.pop_back();  // the next room is dark
+  home.openings[0].head_z = 2.2;
+  const Camera camera = EquirectangularCamera(kSize.width, kSize.height);
+  const Vector3d look = home.cameras[0].home_from_cam.rotation.transpose() * Vector3d(0.4, 1.2, 0);
+  const Vector2d pixel = camera.PixelFromRay(look).value();
+  const int row = static_cast<int>(pixel.y()), col = static_cast<int>(pixel.x());
+  const RenderedPanorama open = RenderFirst(home, Quick());
+  home.openings[0].kind = OpeningKind::kWindow;
+  ASSERT_TRUE(HomeProblems(home).empty());
+  const RenderedPanorama glazed = RenderFirst(home, Quick());
+  EXPECT_EQ(open.room_id(row, col), 1);
+  EXPECT_EQ(glazed.room_id(row, col), 1);
+  EXPECT_EQ(glazed.range_m(row, col), open.range_m(row, col));
+  EXPECT_GT(glazed.rgb(row, col, 1), open.rgb(row, col, 1) + 10);
+}
+
 TEST(Render, TheSunDrawsItsPatchWhereTheWindowLetsItIn) {
   Home home =
       TextHome("room 0,0 4,0 4,3 0,3 | window 1.4,0 2.6,0 | camera 0.9,2.2", {.baseboard_m = 0});

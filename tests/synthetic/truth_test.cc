@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "enfilade/synthetic/text_home.h"
 
@@ -69,6 +70,15 @@ TEST(CastPlanRay, ObstaclesAreFurnitureOnTheFloorAndOpenLeaves) {
     EXPECT_LT(s.a.x(), 4.0);
     EXPECT_GT(s.a.x(), 3.1);
   }
+}
+
+TEST(HiddenFloorLineShare, IsWhatStandsBeforeTheWallsFoot) {
+  const std::string room = "room 0,0 4,0 4,4 0,4 | camera 2,2";
+  EXPECT_EQ(HiddenFloorLineShare(TextHome(room)), 0);
+  // A box along a whole wall hides a quarter of all directions; a low one only what it covers.
+  EXPECT_NEAR(HiddenFloorLineShare(TextHome(room + " | box 3.2,0.01 3.98,3.99 height 1.2")), 0.25,
+              0.02);
+  EXPECT_EQ(HiddenFloorLineShare(TextHome(room + " | box 2.6,1.9 2.7,2.1 height 0.3")), 0);
 }
 
 }  // namespace

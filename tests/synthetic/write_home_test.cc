@@ -70,6 +70,22 @@ TEST(WriteHome, ReadersGetBackPosesAndPlan) {
   for (const PlanCamera& camera : plan.cameras) EXPECT_EQ(camera.sha256.size(), 64u);
 }
 
+TEST(WriteHome, PoseFileHasTheClaimsAndTheTruthHasThePoses) {
+  const TempFolder folder;
+  Home home = SmallHome();
+  Rigid3 claimed = home.cameras[1].home_from_cam;
+  claimed.translation.x() += 0.05;
+  home.cameras[1].claimed_home_from_cam = claimed;
+  RunContext context;
+  WriteHome(folder.path(), home, Quick(), context);
+  const View& view = ReadScene(folder.path(), {}, context).scene.views[1];
+  const Floorplan truth = ReadFloorplanJson(folder / "truth/floorplan.json");
+  const Eigen::Vector3d error =
+      home.home_from_world.rotation *
+      (view.world_from_cam.translation - truth.cameras[1].world_from_cam.translation);
+  EXPECT_LT((error - Eigen::Vector3d(0.05, 0, 0)).norm(), 1e-5);
+}
+
 TEST(WriteHome, PixelTruthIsWrittenOnRequestOnly) {
   const TempFolder folder;
   RunContext context;

@@ -17,9 +17,8 @@
 
 namespace enfilade {
 
-/// What kind of home is made: one room, a flat of three rooms, or a home as an agent photographs
-/// it.
-enum class HomePreset { kRoom, kFlat, kTour };
+/// What kind of home is made, and how it is photographed: MakeHome says what each one holds.
+enum class HomePreset { kRoom, kFlat, kTour, kFurnished, kWalk, kHard };
 [[nodiscard]] std::span<const std::string_view> EnumNames(HomePreset);
 
 /// Width of the panoramas that are usual for the preset, pixels.
@@ -33,8 +32,9 @@ struct HomeOptions {
   void Visit(OptionVisitor& v) {
     v("seed", seed, "Every number of the home comes from it.", {0, 2147483647});
     v("preset", preset,
-      "room: one room; flat: three rooms joined by doors; tour: 5 to 8 rooms with a hall, "
-      "closets, free walls and a mirror or low window, half of them empty.");
+      "room: one room; flat: three to five rooms joined by doors; tour: 5 to 8 rooms as an agent "
+      "photographs them; furnished: a flat whose furniture hides 40 % of the floor line; walk: a "
+      "flat along a dense path; hard: open plan, glass, mirrors, tilt, pillars, niches.");
     v("furniture", furniture, "Share of the furniture that a room can take, 0 for empty rooms.",
       {0.0, 1.0});
   }
@@ -42,18 +42,24 @@ struct HomeOptions {
 
 /// What a surface is made of: its pattern; the colour is given apart.
 enum class Finish { kPaint, kCarpet, kPlanks, kTiles, kWood, kFabric, kPlain, kMirror };
-enum class RoomUse { kLiving, kBedroom, kKitchen, kHall, kCloset };
+enum class RoomUse { kLiving, kBedroom, kKitchen, kBath, kHall, kCloset };
 
-/// The region inside the inner faces of a room's walls, from a level floor to a level ceiling.
+/// The region inside the inner faces of a room's walls, from a level floor to a plane ceiling.
 struct HomeRoom {
   int id = 0;
   Polygon2 polygon;
   double floor_z = 0;
-  double ceiling_z = 2.5;
+  double ceiling_z = 2.5;               ///< of its lowest point
+  Eigen::Vector2d ceiling_slope{0, 0};  ///< rise per metre along x and y; zero for level ones
+  double crown_m = 0;                   ///< height of the moulding under the ceiling
   RoomUse use = RoomUse::kLiving;
   Finish floor_finish = Finish::kCarpet;
   Eigen::Vector3f wall_rgb{0.80f, 0.79f, 0.76f};  ///< diffuse reflectance, linear
   Eigen::Vector3f floor_rgb{0.35f, 0.30f, 0.25f};
+
+  [[nodiscard]] bool HasLevelCeiling() const { return ceiling_slope.isZero(); }
+  /// Height of the ceiling's plane above z = 0 at a place.
+  [[nodiscard]] double CeilingAt(const Eigen::Vector2d& p) const;
 };
 
 enum class DoorLeaf { kNone, kOpen, kClosed };
@@ -86,7 +92,8 @@ struct HomeOpening {
 
 /// A box of furniture: `size` along its own axes, turned by `yaw_rad` about its centre.
 struct HomeBox {
-  int item = 0;  ///< boxes of one piece of furniture share it
+  int item = 0;              ///< boxes of one piece of furniture share it
+  bool is_built_in = false;  ///< stays when the furniture is gone
   int room_id = 0;
   Eigen::Vector2d center{0, 0};
   Eigen::Vector2d size{1, 1};
@@ -112,11 +119,14 @@ struct HomeSun {
   Eigen::Vector3f irradiance{15, 14, 12};  ///< on a surface that faces it
 };
 
-/// Where a panorama is taken. Upright; any heading.
+/// Where a panorama is taken.
 struct HomeCamera {
   std::string picture;  ///< file name below panos/
   int room_id = 0;
   Rigid3 home_from_cam;  ///< camera x right, y down, z forward
+  /// What whoever took the picture says of its pose; none: the truth.
+  std::optional<Rigid3> claimed_home_from_cam;
+  double exposure = 1;  ///< factor on the light that its room asks for
 };
 
 /// A home with nothing hidden. All coordinates are in the home frame: the walls of Manhattan homes
@@ -134,6 +144,8 @@ struct Home {
 
   [[nodiscard]] const HomeRoom& RoomById(int id) const;
   [[nodiscard]] Rigid3 WorldFromCamera(int camera_idx) const;
+  /// The pose as the pose file gives it.
+  [[nodiscard]] Rigid3 ClaimedWorldFromCamera(int camera_idx) const;
 };
 
 /// A home that depends on the options alone. Guarantees: HomeProblems(result) is empty; the heading

@@ -62,8 +62,8 @@ struct LitHome;  // surfaces, tree and light: private to the renderer
 /// Lamps and the sky in the windows light the surfaces directly with soft shadows; the reflected
 /// light is collected over the hemisphere on a coarse grid per surface, bounce by bounce (final
 /// gathering of diffuse interreflection after Ward, Rubinstein and Clear 1988, on a regular grid).
-/// Glossy floors mirror. Exposure
-/// follows the walls of the camera's room, and in part those of the whole home. The same home,
+/// Glossy floors mirror, and so do panes of glass a little. Exposure follows the walls of the
+/// camera's room, and in part those of the whole home. The same home,
 /// options and size give the same bytes for any number of threads.
 class HomeRenderer {
  public:

@@ -42,4 +42,9 @@ struct PlanHit {
                                                  const Eigen::Vector2d& origin,
                                                  const Eigen::Vector2d& direction);
 
+/// Share of the line between walls and floor that furniture hides from the cameras, each looking
+/// level into 360 directions: the foot of the wall in view is behind a box. Doors in view do not
+/// count.
+[[nodiscard]] double HiddenFloorLineShare(const Home& home);
+
 }  // namespace enfilade

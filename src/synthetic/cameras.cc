@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/synthetic/cameras.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "enfilade/geometry/angles.h"
+#include "src/synthetic/outline.h"
+#include "src/synthetic/placement.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kCameraClearance_m = 0.65;
+constexpr double kHallClearance_m = 0.42;
+constexpr double kCameraSpacing_m = 1.6;
+// A place from which a whole room comes into view is worth this much clearance.
+constexpr double kViewWeight_m = 2.0;
+constexpr double kTwoCamerasArea_m2 = 13;
+
+// True when no wall of the room stands between two places in it.
+bool Sees(const HomeRoom& room, const Vector2d& from, const Vector2d& to) {
+  const double distance_m = (to - from).norm();
+  if (distance_m == 0) return true;
+  return RayDistance(room.polygon.outer, from, (to - from) / distance_m) >= distance_m;
+}
+
+// Points of a room on a coarse grid that none of `taken` sees past the room's own corners.
+std::vector<Vector2d> UnseenPoints(const HomeRoom& room, const Rectangle& bounds,
+                                   const std::vector<Vector2d>& taken) {
+  constexpr double kStep_m = 0.3;
+  std::vector<Vector2d> points;
+  for (double y = bounds.min.y() + kStep_m / 2; y < bounds.max.y(); y += kStep_m) {
+    for (double x = bounds.min.x() + kStep_m / 2; x < bounds.max.x(); x += kStep_m) {
+      const Vector2d p(x, y);
+      const bool is_seen = std::any_of(taken.begin(), taken.end(),
+                                       [&](const Vector2d& q) { return Sees(room, q, p); });
+      if (Contains(room.polygon, p) && !is_seen) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+// The best of many random places, none when all are too narrow or too near to `taken`: clear of
+// walls and furniture, and with much of the room in view that was not seen yet.
+std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
+                                      const std::vector<Vector2d>& taken, Random& random) {
+  constexpr int kTries = 150;
+  const Rectangle bounds = BoundsOf(room.polygon.outer);
+  const std::vector<Vector2d> unseen = UnseenPoints(room, bounds, taken);
+  const double min_clear_m = room.use == RoomUse::kHall ? kHallClearance_m : kCameraClearance_m;
+  double best_value = 0;
+  std::optional<Vector2d> best;
+  for (int i = 0; i < kTries; ++i) {
+    const Vector2d p(random.Millimetres(bounds.min.x(), bounds.max.x()),
+                     random.Millimetres(bounds.min.y(), bounds.max.y()));
+    // Beyond 1.2 m one place is as good as another: cameras need not stand in the middle.
+    const double clear_m = std::min(Clearance(home, room.id, p), random.Uniform(1.1, 1.2));
+    const bool is_apart = std::all_of(taken.begin(), taken.end(), [&](const Vector2d& q) {
+      return (p - q).norm() > kCameraSpacing_m;
+    });
+    if (!is_apart || clear_m <= min_clear_m) continue;
+    const auto num_new = std::count_if(unseen.begin(), unseen.end(),
+                                       [&](const Vector2d& q) { return Sees(room, p, q); });
+    const double share = static_cast<double>(num_new) / static_cast<double>(unseen.size() + 1);
+    const double value = clear_m + kViewWeight_m * share;
+    if (value <= best_value) continue;
+    best_value = value;
+    best = p;
+  }
+  return best;
+}
+
+// The places of a room's cameras, in the order in which they were taken.
+struct RoomCameras {
+  const HomeRoom* room = nullptr;
+  std::vector<Vector2d> places;
+  bool is_full = false;
+};
+
+bool AddPlace(const Home& home, RoomCameras& cameras, Random& random) {
+  const std::optional<Vector2d> place = ClearestPlace(home, *cameras.room, cameras.places, random);
+  if (place) cameras.places.push_back(*place);
+  cameras.is_full = !place;
+  return place.has_value();
+}
+
+void AddCameras(Home& home, const RoomCameras& cameras, double height_m, double jitter_m,
+                Random& random) {
+  for (const Vector2d& p : cameras.places) {
+    const double z = cameras.room->floor_z + height_m + random.Uniform(-jitter_m, jitter_m);
+    AddCamera(home, cameras.room->id, {p.x(), p.y(), z}, random.Uniform(-kPi, kPi));
+  }
+}
+
+}  // namespace
+
+double Clearance(const Home& home, int room_id, const Vector2d& p) {
+  const HomeRoom& room = home.RoomById(room_id);
+  if (!Contains(room.polygon, p)) return -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto add_box = [&](const HomeBox& box) {
+    const Ring2 ring = box.Footprint();
+    nearest = std::min(nearest, Contains(ring, p) ? -1 : DistanceToRing(ring, p));
+  };
+  for (const Ring2& ring : RingsOf(room.polygon)) {
+    nearest = std::min(nearest, DistanceToRing(ring, p));
+  }
+  for (const HomeBox& box : home.boxes) {
+    if (box.room_id == room_id) add_box(box);
+  }
+  for (const HomeOpening& opening : home.openings) {
+    if (opening.leaf == DoorLeaf::kOpen) add_box(OpenLeaf(opening));
+  }
+  return nearest;
+}
+
+void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double azimuth_rad) {
+  HomeCamera camera;
+  const std::string number = std::to_string(home.cameras.size());
+  camera.picture =
+      "pano_" + std::string(3 - std::min<size_t>(number.size(), 3), '0') + number + ".jpg";
+  camera.room_id = room_id;
+  const double c = std::cos(azimuth_rad), s = std::sin(azimuth_rad);
+  camera.home_from_cam.rotation.col(0) = Eigen::Vector3d(s, -c, 0);
+  camera.home_from_cam.rotation.col(1) = Eigen::Vector3d(0, 0, -1);
+  camera.home_from_cam.rotation.col(2) = Eigen::Vector3d(c, s, 0);
+  camera.home_from_cam.translation = position;
+  home.cameras.push_back(camera);
+}
+
+void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random) {
+  const PoseErrors& errors = recipe.errors;
+  const auto leaning = [&](double by_rad) {
+    const double azimuth = random.Uniform(-kPi, kPi);
+    const Eigen::Vector3d axis(std::cos(azimuth), std::sin(azimuth), 0);
+    return Eigen::AngleAxisd(by_rad, axis).toRotationMatrix();
+  };
+  for (HomeCamera& camera : home.cameras) {
+    if (recipe.exposure_stops > 0)
+      camera.exposure = std::exp2(random.Uniform(-recipe.exposure_stops, recipe.exposure_stops));
+    Eigen::Matrix3d& rotation = camera.home_from_cam.rotation;
+    if (recipe.tilt_rad > 0)
+      rotation = leaning(random.Uniform(-recipe.tilt_rad, recipe.tilt_rad)) * rotation;
+    if (errors.position_m + errors.yaw_rad + errors.tilt_rad <= 0) continue;
+    Rigid3 claimed = camera.home_from_cam;
+    for (int k = 0; k < 3; ++k) claimed.translation[k] += errors.position_m * random.Normal();
+    claimed.rotation = RotationZ(errors.yaw_rad * random.Normal()) * claimed.rotation;
+    camera.claimed_home_from_cam = claimed;
+    rotation = leaning(errors.tilt_rad * random.Normal()) * rotation;
+  }
+}
+
+bool PlaceTourCameras(Home& home, Random& random) {
+  const double height_m = random.Millimetres(1.3, 1.65);
+  const int wanted = 8 + random.Index(5);
+  std::vector<RoomCameras> rooms;
+  for (const HomeRoom& room : home.rooms) {
+    if (room.use == RoomUse::kCloset) continue;
+    rooms.push_back({&room, {}, false});
+    if (!AddPlace(home, rooms.back(), random)) return false;
+  }
+  int total = static_cast<int>(rooms.size());
+  while (total < wanted) {
+    const auto floor_for_next = [](const RoomCameras& r) {
+      return r.is_full ? 0.0 : Area(r.room->polygon) / static_cast<double>(r.places.size() + 1);
+    };
+    const auto next = std::max_element(
+        rooms.begin(), rooms.end(),
+        [&](const auto& a, const auto& b) { return floor_for_next(a) < floor_for_next(b); });
+    if (next->is_full) break;
+    if (AddPlace(home, *next, random)) ++total;
+  }
+  if (total < 8) return false;
+  for (const RoomCameras& room : rooms) AddCameras(home, room, height_m, 0.02, random);
+  return true;
+}
+
+bool PlaceCameras(Home& home, Random& random) {
+  const double height_m = random.Millimetres(1.3, 1.6);
+  for (const HomeRoom& room : home.rooms) {
+    const int wanted = home.rooms.size() == 1 || Area(room.polygon) > kTwoCamerasArea_m2 ? 2 : 1;
+    RoomCameras cameras{&room, {}, false};
+    while (static_cast<int>(cameras.places.size()) < wanted && !cameras.is_full) {
+      (void)AddPlace(home, cameras, random);
+    }
+    if (cameras.places.empty()) return false;
+    AddCameras(home, cameras, height_m, 0.01, random);
+  }
+  return true;
+}
+
+}  // namespace enfilade

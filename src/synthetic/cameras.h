@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "enfilade/synthetic/home.h"
+#include "src/synthetic/random.h"
+#include "src/synthetic/recipe.h"
+
+namespace enfilade {
+
+/// Puts one or two cameras in every room, in the clearest of many random places. Returns false when
+/// a room has no clear place.
+[[nodiscard]] bool PlaceCameras(Home& home, Random& random);
+
+/// Puts 8–12 cameras in a home as an agent would: one in every room but closets, then more where
+/// there is most floor for each. Returns false when there is no place for that many.
+[[nodiscard]] bool PlaceTourCameras(Home& home, Random& random);
+
+/// Puts cameras 0.4–0.5 m apart along a path through all rooms and the open doors between them, in
+/// the order of the path, looking ahead. Returns false when a room cannot be walked into.
+[[nodiscard]] bool PlaceWalkCameras(Home& home, Random& random);
+
+/// Adds an upright camera that looks along the azimuth and is called pano_NNN.jpg by its number.
+void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double azimuth_rad);
+
+/// Leans every camera by up to `recipe.tilt_rad` about a random level axis, changes its exposure
+/// and lets its claimed pose differ from the true one by `recipe.errors`. What the recipe does not
+/// ask for stays as it is.
+void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random);
+
+/// Distance from `p` to the nearest wall face of its room, furniture or open leaf; negative when p
+/// is not in the room. Doors count as wall: nobody sets a tripod up in one.
+[[nodiscard]] double Clearance(const Home& home, int room_id, const Eigen::Vector2d& p);
+
+}  // namespace enfilade
