@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <system_error>
 
 #include "enfilade/base/hash.h"
 #include "enfilade/exchange/floorplan_json.h"
@@ -131,6 +133,19 @@ TruthView MakeView(const PlanCamera& camera, const std::string& sha256, const St
   return view;
 }
 
+// Names the pixel truth of a view that lies beside the plan's file.
+void FindPixelTruth(const std::filesystem::path& folder, TruthView& view) {
+  const std::string stem = std::filesystem::path(view.picture).stem().native();
+  const auto find = [&](const char* kind, const char* extension) {
+    const std::filesystem::path path = folder / kind / (stem + extension);
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored) ? path : std::filesystem::path();
+  };
+  view.labels_path = find("labels", ".png");
+  view.depth_path = find("depth", ".npy");
+  view.normals_path = find("normals", ".npy");
+}
+
 std::string HashOf(const PlanCamera& camera, const PictureFiles& files,
                    const std::filesystem::path& folder) {
   if (!camera.sha256.empty()) return camera.sha256;
@@ -161,6 +176,7 @@ GroundTruth ReadFloorplanTruth(const std::filesystem::path& path,
       if (camera.storey_idx != static_cast<int>(i)) continue;
       truth.views.push_back(MakeView(camera, HashOf(camera, files, folder), plan.storeys[i], cuts,
                                      plan.home_from_world, to_world));
+      FindPixelTruth(path.parent_path(), truth.views.back());
     }
   }
   truth.doors = MergeDoors(doors);

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "enfilade/base/errors.h"
-#include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
 #include "enfilade/geometry/boolean.h"
 #include "enfilade/image/image.h"
+#include "src/exchange/obj_mesh.h"
 #include "src/exchange/picture_files.h"
 #include "src/exchange/pose_file.h"
 #include "src/exchange/truth_sources.h"
@@ -21,7 +20,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr uint64_t kMaxObjBytes = uint64_t{1} << 28;
 constexpr double kMaxExtent_m = 1000;
 constexpr double kSameVertex_m = 1e-3;
 constexpr int kMaxCellsASide = 1024;
@@ -31,61 +29,16 @@ constexpr double kLevelShare = 0.9;
 
 using Triangle = std::array<Vector3d, 3>;
 
-struct ObjReader {
-  explicit ObjReader(const std::string& file) : where(file) {}
-
-  const std::string& where;
-  int line = 0;
-  std::vector<Vector3d> vertices;
+std::vector<Triangle> TrianglesOf(const ObjMesh& mesh) {
   std::vector<Triangle> triangles;
-
-  [[noreturn]] void Fail(const std::string& problem) const {
-    throw InvalidInputError(where, problem + " (line " + std::to_string(line) + ")",
-                            "check that the file is a complete OBJ mesh");
+  for (const ObjTriangle& triangle : mesh.triangles) {
+    const auto corner = [&](size_t k) {
+      return mesh.vertices[static_cast<size_t>(triangle.corners.at(k))];
+    };
+    triangles.push_back({corner(0), corner(1), corner(2)});
   }
-
-  void ReadVertex(std::istringstream& words) {
-    Vector3d v;
-    if (!(words >> v.x() >> v.y() >> v.z()) || !v.allFinite())
-      Fail("a vertex is not three numbers");
-    if (v.cwiseAbs().maxCoeff() > 1e9) Fail("a vertex is out of range");
-    vertices.push_back(v);
-  }
-
-  // "12", "12/3", "12/3/4", "12//4" or a negative index counted from the end.
-  const Vector3d& VertexOf(const std::string& word) const {
-    int64_t index = 0;
-    std::istringstream digits(word.substr(0, word.find('/')));
-    if (!(digits >> index) || !digits.eof()) Fail("a face has no vertex index");
-    if (index < 0) index += static_cast<int64_t>(vertices.size()) + 1;
-    if (index < 1 || index > static_cast<int64_t>(vertices.size())) {
-      Fail("a face refers to a vertex that is not there");
-    }
-    return vertices[static_cast<size_t>(index - 1)];
-  }
-
-  void ReadFace(std::istringstream& words) {
-    std::vector<Vector3d> corners;
-    for (std::string word; words >> word;) corners.push_back(VertexOf(word));
-    if (corners.size() < 3) Fail("a face has fewer than three vertices");
-    for (size_t i = 2; i < corners.size(); ++i) {
-      triangles.push_back({corners[0], corners[i - 1], corners[i]});
-    }
-  }
-
-  void Read(const std::string& text) {
-    std::istringstream lines(text);
-    for (std::string row; std::getline(lines, row);) {
-      ++line;
-      std::istringstream words(row);
-      std::string keyword;
-      words >> keyword;
-      if (keyword == "v") ReadVertex(words);
-      if (keyword == "f") ReadFace(words);
-    }
-    if (triangles.empty()) Fail("has no faces");
-  }
-};
+  return triangles;
+}
 
 MultiPolygon2 ProjectToPlan(const std::vector<Triangle>& triangles) {
   MultiPolygon2 parts;
@@ -202,16 +155,15 @@ std::vector<TruthView> ReadViews(const std::filesystem::path& folder, const Trut
 }  // namespace
 
 GroundTruth ReadObjTruth(const std::filesystem::path& path) {
-  ObjReader reader(path.native());
-  reader.Read(ReadFile(path, kMaxObjBytes));
+  const std::vector<Triangle> triangles = TrianglesOf(ReadObjMesh(path));
   TruthRoom room;
-  room.region = ProjectToPlan(reader.triangles);
-  if (room.region.empty() || PlanBounds(reader.triangles).sizes().maxCoeff() > kMaxExtent_m) {
+  room.region = ProjectToPlan(triangles);
+  if (room.region.empty() || PlanBounds(triangles).sizes().maxCoeff() > kMaxExtent_m) {
     throw InvalidInputError(path.native(),
                             "is no mesh of a room: its plan is empty or over 1 km wide",
                             "give a mesh in metres, z up");
   }
-  const HeightMaps heights(reader.triangles);
+  const HeightMaps heights(triangles);
   room.floor_z = LevelHeight(heights.low);
   room.ceiling_z = LevelHeight(heights.high);
   GroundTruth truth;

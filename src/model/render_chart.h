@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "enfilade/model/visibility.h"
 #include "src/model/chart.h"
 #include "src/model/tile_views.h"
-#include "src/model/visibility.h"
 
 namespace enfilade {
 

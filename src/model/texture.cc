@@ -10,11 +10,11 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/model/visibility.h"
 #include "src/model/chart.h"
 #include "src/model/fill_holes.h"
 #include "src/model/render_chart.h"
 #include "src/model/tile_views.h"
-#include "src/model/visibility.h"
 
 namespace enfilade {
 namespace {

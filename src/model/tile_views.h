@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "enfilade/model/visibility.h"
 #include "enfilade/scene/types.h"
 #include "src/model/chart.h"
-#include "src/model/visibility.h"
 
 namespace enfilade {
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <optional>
+#include <vector>
 
+#include "enfilade/geometry/triangle_tree.h"
 #include "src/synthetic/surface.h"
 
 namespace enfilade {
@@ -15,15 +16,11 @@ struct RayHit {
   float u = 0, v = 0;  ///< in the surface's frame
 };
 
-/// Surfaces in a tree for fast ray casting (Embree). Thread-safe once built; the surfaces must
-/// outlive it.
+/// Surfaces in a tree for fast ray casting. Thread-safe once built; the surfaces must outlive it.
 class RayScene {
  public:
   /// Throws DependencyError when Embree cannot start.
   explicit RayScene(const std::vector<Surface>& surfaces);
-  ~RayScene();
-  RayScene(const RayScene&) = delete;
-  RayScene& operator=(const RayScene&) = delete;
 
   /// The first surface along the unit direction.
   [[nodiscard]] std::optional<RayHit> Trace(const Eigen::Vector3f& origin,
@@ -33,8 +30,9 @@ class RayScene {
   [[nodiscard]] bool IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  const std::vector<Surface>& surfaces_;
+  std::vector<int> surface_of_triangle_;
+  TriangleTree tree_;
 };
 
 }  // namespace enfilade

@@ -303,11 +303,6 @@ RenderedPanorama BlankPanorama(ImageSize size) {
 
 }  // namespace
 
-std::span<const std::string_view> EnumNames(SurfaceLabel) {
-  static constexpr std::array<std::string_view, 4> kNames = {"other", "floor", "wall", "ceiling"};
-  return kNames;
-}
-
 HomeRenderer::HomeRenderer(const Home& home, const RenderOptions& options, RunContext& context) {
   auto lit = std::make_unique<LitHome>();
   lit->home = home;

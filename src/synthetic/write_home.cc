@@ -13,9 +13,9 @@
 #include "enfilade/base/hash.h"
 #include "enfilade/base/json.h"
 #include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/exchange/npy.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/synthetic/truth.h"
-#include "src/synthetic/npy.h"
 
 namespace enfilade {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "src/model/visibility.h"
+#include "enfilade/model/visibility.h"
 
 #include <gtest/gtest.h>
 
@@ -82,9 +82,36 @@ TEST(Visibility, ACameraInADoorwaySeesBothRooms) {
   EXPECT_FALSE(visibility.IsSeen({-2, 1, 1}, {4, 1, 1}));  // far outside
 }
 
+TEST(Visibility, LooksThroughADoorAtTheRoomBehind) {
+  Floorplan plan = RoomsWithDoor();
+  const BuildingModel model = ExtrudeFloorplan(plan);
+  const Vector3d camera(2, 1.45, 1.4);
+  const ModelSight through = Visibility(model, plan).Look(camera, {1, 0, 0});
+  ASSERT_TRUE(through.face && through.door);
+  EXPECT_NEAR(through.face->distance_m, 5, 1e-5);
+  EXPECT_EQ(model.faces[static_cast<size_t>(through.face->face_idx)].room_id, 1);
+  EXPECT_NEAR(through.door->distance_m, 2, 1e-5);
+  EXPECT_EQ(model.faces[static_cast<size_t>(through.door->face_idx)].room_id, 0);
+  plan.storeys[0].openings[0].kind = OpeningKind::kOpening;  // has no leaf that may be closed
+  EXPECT_FALSE(Visibility(model, plan).Look(camera, {1, 0, 0}).door);
+  plan.storeys[0].openings.clear();
+  const ModelSight closed = Visibility(model, plan).Look(camera, {1, 0, 0});
+  EXPECT_NEAR(closed.face.value().distance_m, 2, 1e-5);
+  EXPECT_FALSE(closed.door);
+}
+
+TEST(Visibility, SeesNoFaceOutsideTheModelOrFromBehind) {
+  const Floorplan plan = RoomsWithDoor();
+  const Visibility visibility(ExtrudeFloorplan(plan), plan);
+  EXPECT_FALSE(visibility.Look({-2, 1, 1}, {-1, 0, 0}).face);
+  EXPECT_FALSE(visibility.Look({-2, 1, 1}, {1, 0, 0}).face);
+  EXPECT_TRUE(visibility.Look({-0.1, 1, 1}, {1, 0, 0}).face);  // inside the wall
+}
+
 TEST(Visibility, EmptyModelHidesNothing) {
   const Visibility visibility({}, {});
   EXPECT_TRUE(visibility.IsSeen({0, 0, 0}, {1, 0, 0}));
+  EXPECT_FALSE(visibility.Look({0, 0, 0}, {1, 0, 0}).face);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct TruthView {
   Ring2 visible_layout;
   /// Doors, windows and openings on it as pairs of points; windows count as wall.
   std::vector<std::array<Eigen::Vector2d, 2>> doors, openings;
+  /// The truth about its pixels (pixel_truth.h), empty where there is none.
+  std::filesystem::path labels_path, depth_path, normals_path;
 };
 
 struct TruthRoom {

@@ -14,7 +14,8 @@ namespace enfilade {
 ///
 /// * Floorplan: rooms as they stand, walls are the rooms' outlines without doors and openings,
 ///   doors its openings of kind door; what a picture shows is the outline of the room it was taken
-///   in.
+///   in. The truth about a picture's pixels is named where it lies beside the file (labels/, depth/
+///   and normals/ with the picture's stem); it is read by who needs it (pixel_truth.h).
 /// * ZInD: rooms are the complete rooms, each the union of its panoramas' `layout_complete` (else
 ///   `layout_raw`), ceilings the median of theirs, none where one of them is not flat. Doors are
 ///   those of these layouts. What a picture shows is its `layout_visible`, else `layout_raw`.

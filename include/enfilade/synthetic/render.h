@@ -6,19 +6,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <string_view>
 
 #include "enfilade/base/run_context.h"
+#include "enfilade/exchange/pixel_truth.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/image/image.h"
 #include "enfilade/synthetic/home.h"
 
 namespace enfilade {
-
-/// What a pixel shows, structurally: closed door leaves, windows, frames and baseboards are wall.
-enum class SurfaceLabel : uint8_t { kOther, kFloor, kWall, kCeiling };
-[[nodiscard]] std::span<const std::string_view> EnumNames(SurfaceLabel);
 
 struct RenderOptions {
   int samples_per_pixel = 4;
