@@ -48,6 +48,13 @@ void OptionArguments::RegisterAlias(CLI::App& parser, const std::string& flag,
       ->type_name("VALUE");
 }
 
+std::string OptionArguments::FirstOutside(const std::string& group) const {
+  for (const auto& [path, value] : settings_) {
+    if (group.empty() || !path.starts_with(group + ".")) return std::string("--").append(path);
+  }
+  return "";
+}
+
 void OptionArguments::Apply(const VisitFunction& options) const {
   if (!config_file_.empty()) OptionsFromJson(options, ReadJsonFile(config_file_), config_file_);
   for (const auto& [path, value] : settings_) SetOption(options, path, value, "command line");

@@ -39,6 +39,11 @@ class OptionArguments {
   void RegisterAlias(CLI::App& parser, const std::string& flag, const std::string& path,
                      const std::string& help);
 
+  [[nodiscard]] bool has_config_file() const { return !config_file_.empty(); }
+  /// The first option of the command line outside `group` (of all when empty): "--GROUP.NAME";
+  /// empty when there is none.
+  [[nodiscard]] std::string FirstOutside(const std::string& group) const;
+
   /// Sets the fields from the file, then from the command line. Throws InvalidInputError or
   /// IoError.
   void Apply(const VisitFunction& options) const;

@@ -9,6 +9,7 @@
 #include "apps/enfilade/batch.h"
 #include "apps/enfilade/command.h"
 #include "apps/enfilade/judge.h"
+#include "enfilade/base/errors.h"
 #include "enfilade/evaluate/columns.h"
 #include "enfilade/evaluate/picture_matching.h"
 #include "enfilade/evaluate/report.h"
@@ -55,6 +56,22 @@ int PrintAblation(const Scene& scene, const GroundTruth& truth, const StructureO
   return kExitOk;
 }
 
+// Options of stages change the homes of a batch and, for structure, the ablation.
+void RefuseIdleOptions(const Arguments& arguments) {
+  if (!arguments.batch.empty()) return;
+  const OptionArguments& options = arguments.options;
+  if (arguments.is_ablation) {
+    const std::string other = options.FirstOutside("structure");
+    if (other.empty()) return;
+    throw InvalidInputError(other, "has no effect with --ablation",
+                            "give options of structure only");
+  }
+  const std::string idle = options.has_config_file() ? "--config" : options.FirstOutside("");
+  if (idle.empty()) return;
+  throw InvalidInputError(idle, "has no effect: a result is judged as it is",
+                          "leave it out, or give it to the run, --ablation or --batch");
+}
+
 }  // namespace
 
 Action SetupEvaluate(CLI::App& parser) {
@@ -68,17 +85,19 @@ Action SetupEvaluate(CLI::App& parser) {
       .add_option("--truth", arguments->truth,
                   "Folder with truth/floorplan.json, floorplan.json, zind_data.json or layout.obj")
       ->type_name("DIR");
-  against
-      .add_option("--batch", arguments->batch,
-                  "Make, reconstruct and judge all homes that this file lists")
-      ->type_name("MANIFEST");
+  CLI::Option* const batch = against.add_option(
+      "--batch", arguments->batch, "Make, reconstruct and judge all homes that this file lists");
+  batch->type_name("MANIFEST");
   against.require_option(1);
-  parser.add_flag("--ablation", arguments->is_ablation,
-                  "Instead, find the wall profiles anew with each set of cues and compare them");
+  parser
+      .add_flag("--ablation", arguments->is_ablation,
+                "Instead, find the wall profiles anew with each set of cues and compare them")
+      ->excludes(batch);
   arguments->common.Register(parser);
   PipelineOptions defaults;
   arguments->options.Register(parser, VisitorOf(defaults));
   return [arguments] {
+    RefuseIdleOptions(*arguments);
     PipelineOptions options;
     arguments->options.Apply(VisitorOf(options));
     Session session(arguments->common);

@@ -3,16 +3,25 @@
 #include "apps/enfilade/judge.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
+#include "enfilade/base/hash.h"
 #include "enfilade/base/json.h"
+#include "enfilade/evaluate/error_map.h"
 #include "enfilade/evaluate/evaluate.h"
 #include "enfilade/evaluate/overlay.h"
 #include "enfilade/evaluate/report.h"
 #include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/exchange/obj_reader.h"
 #include "enfilade/exchange/scene_json.h"
+#include "enfilade/image/codec.h"
 #include "enfilade/pipeline/structure_file.h"
 
 namespace enfilade {
@@ -26,6 +35,31 @@ void AddCosts(const Manifest& manifest, MetricReport& figures) {
   }
   figures["seconds"] = seconds;
   figures["peak_memory_mb"] = peak_memory_mb;
+}
+
+// Names of the error maps by view: the picture's stem, and some of its hash where others share it.
+std::vector<std::string> ErrorMapNames(const Scene& scene) {
+  const auto stem_of = [](const View& view) {
+    return std::filesystem::path(view.picture).stem().native();
+  };
+  std::map<std::string, int> num_with_stem;
+  for (const View& view : scene.views) ++num_with_stem[stem_of(view)];
+  std::vector<std::string> names;
+  for (const View& view : scene.views) {
+    const std::string stem = stem_of(view);
+    names.push_back(stem + (num_with_stem[stem] > 1 ? "_" + view.sha256.substr(0, 8) : "") +
+                    ".png");
+  }
+  return names;
+}
+
+// The picture that the run was made from; empty where it is gone or another.
+ImageU8 ReadPictureIfSame(const View& view) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(view.path, ignored) || Sha256OfFile(view.path) != view.sha256) {
+    return {};
+  }
+  return ReadImageRgb(view.path);
 }
 
 }  // namespace
@@ -43,14 +77,26 @@ Results LoadResults(const Workspace& workspace, const Manifest& manifest) {
   results.scene = ReadSceneJson(workspace.scene_file());
   if (is_done("structure")) results.structure = ReadStructure(workspace.structure_folder());
   if (is_done("floorplan")) results.floorplan = ReadFloorplanJson(workspace.floorplan_file());
+  if (is_done("model")) results.model = ReadObj(workspace.model_obj_file());
   return results;
 }
 
 MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
                           const Results& results, const GroundTruth& truth, RunContext& context) {
-  const EvaluationInput input{.scene = &*results.scene,
+  const Scene& scene = *results.scene;
+  RemoveFiles(workspace, {workspace.error_maps_folder().filename()});
+  const std::vector<std::string> map_names = ErrorMapNames(scene);
+  const auto write_map = [&](const ModelErrorMap& map) {
+    const auto view_idx = static_cast<size_t>(map.figures.view_idx);
+    const View& view = scene.views[view_idx];
+    WriteFileAtomic(workspace.error_maps_folder() / map_names[view_idx],
+                    RenderErrorMapPng(map, ReadPictureIfSame(view), PrintablePath(view.picture)));
+  };
+  const EvaluationInput input{.scene = &scene,
                               .structure = results.structure ? &*results.structure : nullptr,
-                              .floorplan = results.floorplan ? &*results.floorplan : nullptr};
+                              .floorplan = results.floorplan ? &*results.floorplan : nullptr,
+                              .model = results.model ? &*results.model : nullptr,
+                              .model_error_sink = write_map};
   EvaluationReport report = Evaluate(input, truth, EvaluateOptions{}, context);
   AddCosts(manifest, report.figures);
   WriteFileAtomic(workspace.overlay_file(), RenderOverlayPng(input, truth, report));

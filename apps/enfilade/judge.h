@@ -9,6 +9,7 @@
 #include "enfilade/evaluate/types.h"
 #include "enfilade/exchange/ground_truth.h"
 #include "enfilade/floorplan/types.h"
+#include "enfilade/model/types.h"
 #include "enfilade/pipeline/manifest.h"
 #include "enfilade/pipeline/workspace.h"
 #include "enfilade/scene/types.h"
@@ -21,14 +22,15 @@ struct Results {
   std::optional<Scene> scene;
   std::optional<Structure> structure;
   std::optional<Floorplan> floorplan;
+  std::optional<BuildingModel> model;  ///< without textures
 };
 
 /// Throws InvalidInputError when not even the first stage has a result, IoError.
 [[nodiscard]] Results LoadResults(const Workspace& workspace, const Manifest& manifest);
 
 /// Compares what is in a result folder, locked by the caller, with the truth: writes
-/// evaluation.json and the overlay there and returns the figures. Throws InvalidInputError,
-/// IoError.
+/// evaluation.json, the overlay and, where there is a model and the truth knows depth or normals,
+/// an error map per panorama there, and returns the figures. Throws InvalidInputError, IoError.
 MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
                           const Results& results, const GroundTruth& truth, RunContext& context);
 

@@ -120,6 +120,7 @@ PanoramaFigures EvaluatePanorama(const View& view, const WallProfile& profile,
   const ColumnErrors errors = CompareColumns(profile, truth_view, columns, options.opening_reach_m);
   PanoramaFigures figures;
   figures.picture = view.picture;
+  figures.view_idx = profile.view_idx;
   figures.num_columns = static_cast<int>(errors.metres.size());
   if (truth_view.camera_height_m > 0) figures.error_median_deg = Median(errors.deg);
   figures.relative_error_median = Median(errors.relative);

@@ -6,6 +6,7 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
+#include "enfilade/evaluate/coverage.h"
 #include "enfilade/evaluate/doors.h"
 #include "enfilade/evaluate/judged_plan.h"
 #include "enfilade/evaluate/picture_matching.h"
@@ -14,6 +15,8 @@
 #include "enfilade/evaluate/rooms.h"
 #include "enfilade/evaluate/structured3d.h"
 #include "enfilade/evaluate/walls.h"
+#include "enfilade/geometry/angles.h"
+#include "src/evaluate/moved_result.h"
 
 namespace enfilade {
 namespace {
@@ -99,6 +102,34 @@ void AddDoors(const DoorFigures& doors, MetricReport& figures) {
   figures["door_graph_recall"] = doors.graph_recall;
 }
 
+std::optional<double> InDegrees(const std::optional<double>& rad) {
+  return rad ? std::optional(RadToDeg(*rad)) : std::nullopt;
+}
+
+void AddPoses(const PoseFigures& poses, MetricReport& figures) {
+  figures["pose_total"] = poses.total;
+  figures["pose_registered"] = poses.registered;
+  figures["pose_inferred"] = poses.inferred;
+  figures["pose_components"] = poses.components;
+  figures["pose_median_m"] = poses.median_m;
+  figures["pose_max_m"] = poses.max_m;
+  figures["pose_yaw_median_deg"] = InDegrees(poses.yaw_median_rad);
+  figures["pose_tilt_median_deg"] = InDegrees(poses.tilt_median_rad);
+  figures["pose_scale_error"] = poses.scale_error;
+}
+
+void AddCoverage(const std::string& suffix, const Coverage& coverage, MetricReport& figures) {
+  figures["sigma1_coverage" + suffix] = coverage.sigma1;
+  figures["sigma2_coverage" + suffix] = coverage.sigma2;
+}
+
+void AddModelError(const ModelErrorFigures& model, MetricReport& figures) {
+  figures["model_hit_share"] = model.hit_share;
+  figures["depth_median_m"] = model.depth_median_m;
+  figures["depth_within_5pct"] = model.depth_within_5pct;
+  figures["normal_median_deg"] = model.normal_median_deg;
+}
+
 void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricReport& figures) {
   const JudgedPlan result_plan = JudgedPlanOf(floorplan);
   const JudgedPlan truth_plan = JudgedPlanOf(truth);
@@ -109,17 +140,49 @@ void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricRe
   }
   AddWalls(EvaluateWalls(result_plan, truth_plan), figures);
   AddDoors(EvaluateDoors(result_plan, truth_plan), figures);
+  const CoverageFigures coverage = EvaluateCoverage(floorplan, truth_plan);
+  AddCoverage("", coverage.all, figures);
+  AddCoverage("_seen", coverage.seen, figures);
+  AddCoverage("_partly", coverage.partly, figures);
+  AddCoverage("_inferred", coverage.inferred, figures);
+}
+
+// Everything about the result in the truth's world.
+void EvaluateMoved(const EvaluationInput& input, const GroundTruth& truth,
+                   const std::vector<int>& truth_idx, const EvaluateOptions& options,
+                   EvaluationReport& report, RunContext& context) {
+  report.poses = EvaluatePoses(
+      input.scene != nullptr ? JudgedCameras(*input.scene) : JudgedCameras(*input.floorplan), truth,
+      truth_idx);
+  if (report.poses) AddPoses(*report.poses, report.figures);
+  if (input.structure != nullptr) {
+    report.columns =
+        EvaluateColumns(*input.scene, *input.structure, truth, truth_idx, options.columns);
+    AddColumns(report.columns, report.figures);
+    report.labels = EvaluateLabels(*input.scene, *input.structure, truth, truth_idx, context);
+    report.figures["label_accuracy"] = report.labels.accuracy;
+    report.figures["label_iou_mean"] = report.labels.iou_mean;
+  }
+  context.CheckStop();
+  if (input.floorplan != nullptr) EvaluatePlan(*input.floorplan, truth, report.figures);
+  if (input.model != nullptr) {
+    report.model_error = EvaluateModel(*input.model, *input.floorplan, truth, truth_idx,
+                                       options.model_error, input.model_error_sink, context);
+    AddModelError(report.model_error, report.figures);
+  }
 }
 
 }  // namespace
 
 void EvaluateOptions::Visit(OptionVisitor& v) {
   v("columns", columns, "Wall distances of single panoramas.");
+  v("model_error", model_error, "Depth and normals of the model in the panoramas.");
 }
 
 EvaluationReport Evaluate(const EvaluationInput& input, const GroundTruth& truth,
                           const EvaluateOptions& options, RunContext& context) {
   ENFILADE_CHECK(input.structure == nullptr || input.scene != nullptr);
+  ENFILADE_CHECK(input.model == nullptr || (input.scene != nullptr && input.floorplan != nullptr));
   EvaluationReport report;
   report.figures = EmptyReport();
   const std::vector<PictureKey> truth_keys = PictureKeys(truth);
@@ -130,14 +193,13 @@ EvaluationReport Evaluate(const EvaluationInput& input, const GroundTruth& truth
     report.num_matched = CountMatches(matches);
     RequireMatch(keys, truth_keys, report.num_matched);
     report.num_changed = CountChanged(keys, truth_keys, matches);
-    if (input.structure != nullptr) {
-      report.columns =
-          EvaluateColumns(*input.scene, *input.structure, truth, matches, options.columns);
-      AddColumns(report.columns, report.figures);
+    for (const PictureKey& key : keys) report.pictures.push_back(key.picture);
+    if (input.scene != nullptr && input.scene->pose_source == PoseSource::kEstimated) {
+      report.truth_from_world = FitTruthFromWorld(JudgedCameras(*input.scene), truth, matches);
     }
+    const MovedResult moved(input, report.truth_from_world);
+    EvaluateMoved(moved.input(), truth, matches, options, report, context);
   }
-  context.CheckStop();
-  if (input.floorplan != nullptr) EvaluatePlan(*input.floorplan, truth, report.figures);
   context.log().Info("evaluate: " + std::to_string(report.num_matched) + " of " +
                      std::to_string(truth_keys.size()) + " true pictures matched");
   if (report.num_changed > 0) {

@@ -3,13 +3,11 @@
 #include "enfilade/evaluate/overlay.h"
 
 #include <cairo-svg.h>
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <regex>
 
 #include "enfilade/base/check.h"
@@ -17,6 +15,8 @@
 #include "enfilade/evaluate/regions.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/boolean.h"
+#include "src/evaluate/drawing.h"
+#include "src/evaluate/moved_result.h"
 
 namespace enfilade {
 namespace {
@@ -31,9 +31,6 @@ constexpr double kLine_px = 20;
 constexpr double kTargetBar_px = 150;
 constexpr double kDotRadius_px = 4.5;
 
-struct Color {
-  double r, g, b, a;
-};
 constexpr Color kTruthRoom{0.90, 0.93, 0.96, 1};
 constexpr Color kMissed{0.22, 0.50, 0.85, 0.45};
 constexpr Color kSurplus{0.93, 0.50, 0.15, 0.55};
@@ -45,12 +42,6 @@ constexpr Color kGood{0.10, 0.60, 0.35, 1};
 constexpr Color kFair{0.95, 0.70, 0.10, 1};
 constexpr Color kPoor{0.80, 0.10, 0.12, 1};
 constexpr Color kUnknown{0.35, 0.35, 0.35, 1};
-constexpr Color kText{0.10, 0.10, 0.10, 1};
-
-struct Cairo {
-  using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-  using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-};
 
 struct CameraMark {
   Vector2d position;
@@ -110,8 +101,10 @@ std::vector<Ring2> ProfileRings(const Scene& scene, const Structure& structure) 
   return rings;
 }
 
-Drawing MakeDrawing(const EvaluationInput& input, const GroundTruth& truth,
+Drawing MakeDrawing(const EvaluationInput& given, const GroundTruth& truth,
                     const EvaluationReport& report, const OverlayOptions& options) {
+  const MovedResult moved(given, report.truth_from_world);
+  const EvaluationInput& input = moved.input();
   Drawing drawing;
   const JudgedPlan truth_plan = JudgedPlanOf(truth);
   drawing.truth = NetRegion(truth_plan);
@@ -167,10 +160,6 @@ Page LayOut(const Drawing& drawing, const OverlayOptions& options) {
   page.width_px = std::ceil(page.drawing_width_px + kLegendWidth_px);
   page.height_px = std::ceil(std::max(kMinHeight_px, page.px_per_m * size.y() + 2 * kMargin_px));
   return page;
-}
-
-void SetColor(cairo_t* cr, const Color& color) {
-  cairo_set_source_rgba(cr, color.r, color.g, color.b, color.a);
 }
 
 void TraceRing(cairo_t* cr, const Page& page, const Ring2& ring) {
@@ -236,19 +225,6 @@ void DrawPlan(cairo_t* cr, const Page& page, const Drawing& drawing) {
   cairo_set_dash(cr, nullptr, 0, 0);
   for (const CameraMark& camera : drawing.cameras)
     DrawDot(cr, page.ToPixel(camera.position), camera.color);
-}
-
-void DrawText(cairo_t* cr, double x, double y, const std::string& text, double size_px,
-              bool is_right_aligned = false) {
-  SetColor(cr, kText);
-  cairo_set_font_size(cr, size_px);
-  if (is_right_aligned) {
-    cairo_text_extents_t extents;
-    cairo_text_extents(cr, text.c_str(), &extents);
-    x -= extents.x_advance;
-  }
-  cairo_move_to(cr, x, y);
-  cairo_show_text(cr, text.c_str());
 }
 
 // The longest of 1, 2, 5 · 10ⁿ metres that is not much longer than the target.
@@ -334,7 +310,7 @@ void DrawFigures(cairo_t* cr, double x, double y, const MetricReport& figures) {
     const std::string value =
         figure->second ? fmt::format("{:.4g}", *figure->second) : std::string("n/a");
     DrawText(cr, x, y, key, 13);
-    DrawText(cr, x + kLegendWidth_px - 2 * kMargin_px, y, value, 13, true);
+    DrawText(cr, x + kLegendWidth_px - 2 * kMargin_px, y, value, 13, TextAlign::kRight);
     y += kLine_px;
   }
 }
@@ -343,16 +319,10 @@ void DrawPage(cairo_t* cr, const Page& page, const Drawing& drawing, const Metri
   SetColor(cr, {1, 1, 1, 1});
   cairo_paint(cr);
   DrawPlan(cr, page, drawing);
-  cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   const double x = page.drawing_width_px + 0.5 * kMargin_px;
   double y = DrawScaleBar(cr, page, x, 2 * kMargin_px);
   y = DrawKey(cr, x, y);
   DrawFigures(cr, x, y + kLine_px, figures);
-}
-
-cairo_status_t AppendBytes(void* closure, const unsigned char* bytes, unsigned size) {
-  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(bytes), size);
-  return CAIRO_STATUS_SUCCESS;
 }
 
 // cairo numbers the surfaces of a process and writes the number into the file: the same picture
@@ -364,10 +334,9 @@ std::string WithoutSurfaceNumber(const std::string& svg) {
 
 void DrawOn(cairo_surface_t* surface, const Page& page, const Drawing& drawing,
             const MetricReport& figures) {
-  const Cairo::Context context(cairo_create(surface), cairo_destroy);
+  const CairoContext context = StartDrawing(surface);
   DrawPage(context.get(), page, drawing, figures);
-  ENFILADE_CHECK_MSG(cairo_status(context.get()) == CAIRO_STATUS_SUCCESS,
-                     cairo_status_to_string(cairo_status(context.get())));
+  CheckDrawing(context.get());
 }
 
 }  // namespace
@@ -384,7 +353,7 @@ std::string RenderOverlaySvg(const EvaluationInput& input, const GroundTruth& tr
   const Page page = LayOut(drawing, options);
   std::string bytes;
   {
-    const Cairo::Surface surface(
+    const CairoSurface surface(
         cairo_svg_surface_create_for_stream(AppendBytes, &bytes, page.width_px, page.height_px),
         cairo_surface_destroy);
     cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
@@ -399,15 +368,10 @@ std::string RenderOverlayPng(const EvaluationInput& input, const GroundTruth& tr
                              const EvaluationReport& report, const OverlayOptions& options) {
   const Drawing drawing = MakeDrawing(input, truth, report, options);
   const Page page = LayOut(drawing, options);
-  const Cairo::Surface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(page.width_px),
-                                 static_cast<int>(page.height_px)),
-      cairo_surface_destroy);
+  const CairoSurface surface =
+      MakeImageSurface(static_cast<int>(page.width_px), static_cast<int>(page.height_px));
   DrawOn(surface.get(), page, drawing, report.figures);
-  std::string bytes;
-  ENFILADE_CHECK(cairo_surface_write_to_png_stream(surface.get(), AppendBytes, &bytes) ==
-                 CAIRO_STATUS_SUCCESS);
-  return bytes;
+  return EncodePng(surface.get());
 }
 
 }  // namespace enfilade

@@ -5,7 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "enfilade/geometry/angles.h"
 
 namespace enfilade {
 namespace {
@@ -59,6 +64,16 @@ constexpr FigureInfo kFigures[] = {
     {"label_iou_mean", "labels", FigureUnit::kShare, FigureSense::kHigherIsBetter},
     {"sigma1_coverage", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
     {"sigma2_coverage", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"sigma1_coverage_seen", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"sigma2_coverage_seen", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"sigma1_coverage_partly", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"sigma2_coverage_partly", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"sigma1_coverage_inferred", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"sigma2_coverage_inferred", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
+    {"model_hit_share", "model", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"depth_median_m", "model", FigureUnit::kMetres, FigureSense::kLowerIsBetter},
+    {"depth_within_5pct", "model", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"normal_median_deg", "model", FigureUnit::kDegrees, FigureSense::kLowerIsBetter},
     {"self_score", "without truth", FigureUnit::kShare, FigureSense::kHigherIsBetter},
     {"seconds", "cost", FigureUnit::kSeconds, FigureSense::kLowerIsBetter},
     {"peak_memory_mb", "cost", FigureUnit::kMegabytes, FigureSense::kLowerIsBetter},
@@ -87,7 +102,7 @@ std::string FormatValue(const std::optional<double>& value, FigureUnit unit) {
 }
 
 nlohmann::json ToJson(const std::optional<double>& value) {
-  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+  return value && std::isfinite(*value) ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
 nlohmann::json ValueToJson(const std::optional<double>& value, FigureUnit unit) {
@@ -95,16 +110,38 @@ nlohmann::json ValueToJson(const std::optional<double>& value, FigureUnit unit) 
   return ToJson(value);
 }
 
-nlohmann::json ToJson(const PanoramaFigures& panorama) {
-  return {{"picture", panorama.picture},
-          {"columns", panorama.num_columns},
-          {"column_median_deg", ToJson(panorama.error_median_deg)},
-          {"relative_median", ToJson(panorama.relative_error_median)},
-          {"distance_median_m", ToJson(panorama.error_median_m)},
-          {"within_5pct", ToJson(panorama.within_5pct)},
-          {"within_10pct", ToJson(panorama.within_10pct)},
-          {"iou", ToJson(panorama.iou)},
-          {"ceiling_m", ToJson(panorama.ceiling_error_m)}};
+// What is known of each panorama, by view.
+std::map<int, nlohmann::json> PanoramasToJson(const EvaluationReport& report) {
+  std::map<int, nlohmann::json> panoramas;
+  for (const PanoramaFigures& columns : report.columns.panoramas) {
+    panoramas[columns.view_idx].update({{"columns", columns.num_columns},
+                                        {"column_median_deg", ToJson(columns.error_median_deg)},
+                                        {"relative_median", ToJson(columns.relative_error_median)},
+                                        {"distance_median_m", ToJson(columns.error_median_m)},
+                                        {"within_5pct", ToJson(columns.within_5pct)},
+                                        {"within_10pct", ToJson(columns.within_10pct)},
+                                        {"iou", ToJson(columns.iou)},
+                                        {"ceiling_m", ToJson(columns.ceiling_error_m)}});
+  }
+  if (report.poses) {
+    for (const PoseError& pose : report.poses->errors) {
+      panoramas[pose.view_idx].update({{"pose_registered", pose.is_registered},
+                                       {"pose_m", pose.distance_m},
+                                       {"pose_yaw_deg", RadToDeg(pose.yaw_rad)},
+                                       {"pose_tilt_deg", RadToDeg(pose.tilt_rad)}});
+    }
+  }
+  for (const PanoramaLabels& labels : report.labels.panoramas) {
+    panoramas[labels.view_idx].update(
+        {{"label_accuracy", ToJson(labels.accuracy)}, {"label_iou_mean", ToJson(labels.iou_mean)}});
+  }
+  for (const PanoramaModelError& model : report.model_error.panoramas) {
+    panoramas[model.view_idx].update({{"model_hit_share", ToJson(model.hit_share)},
+                                      {"depth_median_m", ToJson(model.depth_median_m)},
+                                      {"depth_within_5pct", ToJson(model.depth_within_5pct)},
+                                      {"normal_median_deg", ToJson(model.normal_median_deg)}});
+  }
+  return panoramas;
 }
 
 const FigureInfo* FindFigure(std::string_view key) {
@@ -165,8 +202,9 @@ nlohmann::json ReportToJson(const MetricReport& report) {
 nlohmann::json ReportToJson(const EvaluationReport& report) {
   nlohmann::json json = ReportToJson(report.figures);
   json["panoramas"] = nlohmann::json::array();
-  for (const PanoramaFigures& panorama : report.columns.panoramas) {
-    json["panoramas"].push_back(ToJson(panorama));
+  for (auto& [view_idx, panorama] : PanoramasToJson(report)) {
+    panorama["picture"] = report.pictures.at(static_cast<size_t>(view_idx));
+    json["panoramas"].push_back(std::move(panorama));
   }
   return json;
 }

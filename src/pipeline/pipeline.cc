@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // What belongs to no stage and judges the result of the last one.
-const std::vector<fs::path> kJudgements = {"evaluation.json", "overlay.png"};
+const std::vector<fs::path> kJudgements = {"evaluation.json", "overlay.png", "error_maps"};
 
 size_t StageIndex(std::string_view name) {
   const auto names = StageNames();

@@ -53,6 +53,7 @@ TEST(ReportToJson, CountsAreIntegersAndNoneIsNull) {
 TEST(ReportToJson, ListsThePanoramas) {
   EvaluationReport report;
   report.figures = EmptyReport();
+  report.pictures = {"a.jpg"};
   report.columns.panoramas.push_back({"a.jpg", 900, 0.5, {}, {}, 0.75, 0.875, {}, {}});
   const nlohmann::json json = ReportToJson(report);
   EXPECT_TRUE(json.at("column_median_deg").is_null());

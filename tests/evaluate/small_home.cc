@@ -107,6 +107,7 @@ SmallHome MakeSmallHome() {
   SmallHome home;
   const std::vector<Ring2> rooms = SmallHomeRooms();
   home.plan = MakePlan(rooms, SmallHomeDoors());
+  home.scene.pose_source = PoseSource::kTransforms;
   home.structure.home_from_world = HomeFromWorld();
   home.structure.heading_rad = kHeading_rad;
   home.structure.storeys.push_back({0.0, 2.5, 0.0});

@@ -25,6 +25,7 @@ struct PanoramaFigures {
   std::optional<double> within_5pct, within_10pct;  ///< shares, 0–1
   std::optional<double> iou;              ///< polygon of the profile against the visible layout
   std::optional<double> ceiling_error_m;  ///< |height found − height of the true room it stands in|
+  int view_idx = 0;                       ///< into the scene
 };
 
 /// The same over the panoramas: medians of their figures, and the mean IoU.

@@ -39,7 +39,7 @@ struct FigureInfo {
 /// Flat object of all figures, null where there is none.
 [[nodiscard]] nlohmann::json ReportToJson(const MetricReport& report);
 
-/// As above, with "panoramas": the figures of each.
+/// As above, with "panoramas": the figures of each that has any, in the order of the views.
 [[nodiscard]] nlohmann::json ReportToJson(const EvaluationReport& report);
 
 }  // namespace enfilade

@@ -24,6 +24,7 @@ class Workspace {
   [[nodiscard]] std::filesystem::path plan_svg_file() const { return root_ / "plan.svg"; }
   [[nodiscard]] std::filesystem::path evaluation_file() const { return root_ / "evaluation.json"; }
   [[nodiscard]] std::filesystem::path overlay_file() const { return root_ / "overlay.png"; }
+  [[nodiscard]] std::filesystem::path error_maps_folder() const { return root_ / "error_maps"; }
   [[nodiscard]] std::filesystem::path lock_file() const { return root_ / ".lock"; }
 
  private:

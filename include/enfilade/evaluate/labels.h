@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "enfilade/base/run_context.h"
+#include "enfilade/exchange/ground_truth.h"
+#include "enfilade/image/image.h"
+#include "enfilade/scene/types.h"
+#include "enfilade/structure/types.h"
+
+namespace enfilade {
+
+/// Floor, wall and ceiling of one panorama against the truth.
+struct PanoramaLabels {
+  int view_idx = 0;
+  std::optional<double> accuracy;  ///< share of the judged pixels
+  std::optional<double> iou_mean;  ///< over the classes that the truth shows
+};
+
+/// The same over the panoramas: medians of their figures.
+struct LabelFigures {
+  std::vector<PanoramaLabels> panoramas;  ///< in the order of the profiles
+  std::optional<double> accuracy, iou_mean;
+};
+
+/// The SurfaceLabel of every pixel of an equirectangular panorama of that size that the profile
+/// implies: the ray of the pixel's centre meets the floor or the ceiling before the wall, or the
+/// wall of its column. kOther where the column has no positive finite distance.
+[[nodiscard]] ImageU8 LabelsOfProfile(const WallProfile& profile, const Rigid3& home_from_cam,
+                                      int rows, int cols);
+
+/// Judges the labels that the profiles of panoramas imply where the truth has labels of theirs, at
+/// the truth's resolution; true pixels of kOther (furniture) are left out. Truth files are read one
+/// per thread at a time. `truth_idx` as in EvaluateColumns. Throws what ReadTruthLabels throws.
+[[nodiscard]] LabelFigures EvaluateLabels(const Scene& scene, const Structure& structure,
+                                          const GroundTruth& truth, std::span<const int> truth_idx,
+                                          RunContext& context);
+
+}  // namespace enfilade
