@@ -104,6 +104,10 @@ void DrawPanel(cairo_t* cr, const ImageU8& rgb, double y) {
   cairo_surface_mark_dirty(surface.get());
   cairo_set_source_surface(cr, surface.get(), kMargin_px, y);
   cairo_paint(cr);
+  SetColor(cr, kUnjudged);  // white panels need a border on white paper
+  cairo_set_line_width(cr, 1);
+  cairo_rectangle(cr, kMargin_px - 0.5, y - 0.5, rgb.cols() + 1, rgb.rows() + 1);
+  cairo_stroke(cr);
 }
 
 // Colours of the shares from `low` to 1 with five ticks, right-aligned under a panel.
@@ -119,7 +123,8 @@ void DrawScale(cairo_t* cr, double y, double low, double max_error, const char* 
     const double error = max_error * (low + (1 - low) * tick / 4);
     const char* bound = tick == 4 ? "≥ " : tick == 0 && low < 0 ? "≤ " : "";
     DrawText(cr, x + kScaleWidth_px * tick / 4, y + 36,
-             fmt::format("{}{:g} {}", bound, error, unit), 12, TextAlign::kCenter);
+             fmt::format("{}{}{:g} {}", bound, error < 0 ? "−" : "", std::abs(error), unit), 12,
+             TextAlign::kCenter);
   }
 }
 

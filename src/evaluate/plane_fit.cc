@@ -89,13 +89,11 @@ std::optional<Similarity2> FitRobust(std::span<const PointPair> pairs, bool has_
       if (count++ % stride != 0 || !HasBaseline(pairs[i], pairs[j])) continue;
       const Similarity2 guess =
           FitLeastSquares(std::array<PointPair, 2>{pairs[i], pairs[j]}, has_scale);
-      const double cost = FitCost(guess, pairs);
-      if (best && cost >= best_cost) continue;
       const Similarity2 refined = Refine(guess, pairs, has_scale);
-      const double refined_cost = FitCost(refined, pairs);
-      if (best && refined_cost >= best_cost) continue;
+      const double cost = FitCost(refined, pairs);
+      if (best && cost >= best_cost) continue;
       best = refined;
-      best_cost = refined_cost;
+      best_cost = cost;
     }
   }
   return best;

@@ -39,6 +39,7 @@ Json QuickRoom(const std::string& name, int seed) {
        {{"home", {{"seed", seed}, {"preset", "room"}, {"furniture", 0.0}}},
         {"pictures",
          {{"width", 256},
+          {"has_pixel_truth", true},
           {"render", {{"samples_per_pixel", 1}, {"gather_rays", 16}, {"light_cell_m", 0.2}}}}}}}};
 }
 
@@ -52,7 +53,12 @@ TEST_F(Batch, MakesJudgesAndGoesOnPastAFailure) {
   EXPECT_THAT(table.at("homes").at(0).at("error").get<std::string>(),
               testing::HasSubstr("nowhere"));
   EXPECT_GT(table.at("summary").at("area_iou_net").at("mean").get<double>(), 0.5);
-  EXPECT_TRUE(fs::exists(output() / "results" / "room" / "evaluation.json"));
+  EXPECT_GT(table.at("summary").at("label_accuracy").at("mean").get<double>(), 0.8);
+  EXPECT_GT(table.at("summary").at("model_hit_share").at("mean").get<double>(), 0.9);
+  EXPECT_EQ(table.at("summary").at("pose_median_m").at("mean"), 0);
+  const fs::path results = output() / "results" / "room";
+  EXPECT_TRUE(fs::exists(results / "evaluation.json"));
+  EXPECT_TRUE(fs::exists(results / "error_maps" / "pano_000.png"));
   EXPECT_EQ(ReadFile(output() / "batch.md"), result.out);
 
   // A second time nothing is made again, and the figures are the same.

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "enfilade/base/file.h"
 #include "tests/e2e/program.h"
@@ -39,6 +41,23 @@ TEST(CommandLine, RefusesBrokenConfigFiles) {
   ExpectRefusal(RunProgram({"config", "--config", "/nowhere.json"}), "/nowhere.json");
   ExpectRefusal(RunProgram({"config", "--config", "/proc/self/exe"}), "/proc/self/exe");
   ExpectRefusal(RunProgram({"config", "--config", "/dev/null"}), "/dev/null");
+}
+
+TEST(CommandLine, EvaluateRefusesOptionsThatWouldChangeNothing) {
+  const auto evaluate = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"evaluate", "/nowhere"});
+    return RunProgram(more);
+  };
+  ExpectRefusal(evaluate({"--batch", "homes.json", "--ablation"}), "--batch");
+  ExpectRefusal(evaluate({"--truth", "t", "--structure.use_floor", "false"}),
+                "--structure.use_floor: has no effect");
+  ExpectRefusal(evaluate({"--truth", "t", "--config", "c.json"}), "--config: has no effect");
+  ExpectRefusal(evaluate({"--truth", "t", "--ablation", "--floorplan.turn_cost_m", "1"}),
+                "--floorplan.turn_cost_m: has no effect with --ablation");
+  // These are taken, and the folder is what is wrong.
+  ExpectRefusal(evaluate({"--truth", "t", "--ablation", "--structure.use_floor", "false"}),
+                "/nowhere");
+  ExpectRefusal(evaluate({"--truth", "t"}), "/nowhere");
 }
 
 TEST(CommandLine, VersionNamesTheProgram) {

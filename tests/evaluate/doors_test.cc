@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "tests/evaluate/small_home.h"
 
 namespace enfilade {
@@ -58,6 +61,45 @@ TEST(EvaluateDoors, AFalseDoorCostsPrecision) {
   EXPECT_NEAR(*Judge(doors).precision, 2.0 / 3, 1e-12);
   EXPECT_EQ(Judge(doors).recall, 1.0);
   EXPECT_NEAR(*Judge(doors).graph_precision, 2.0 / 3, 1e-12);
+}
+
+// The twin: every way to give each true door one found door or none.
+int SlowHits(const std::vector<Segment2>& truth, const std::vector<Segment2>& found,
+             std::vector<bool>& is_taken, size_t next = 0) {
+  if (next == truth.size()) return 0;
+  int best = SlowHits(truth, found, is_taken, next + 1);
+  const auto center = [](const Segment2& door) {
+    return Eigen::Vector2d(0.5 * (door[0] + door[1]));
+  };
+  for (size_t j = 0; j < found.size(); ++j) {
+    if (is_taken[j] || (center(truth[next]) - center(found[j])).norm() > kDoorDistance_m) continue;
+    is_taken[j] = true;
+    best = std::max(best, 1 + SlowHits(truth, found, is_taken, next + 1));
+    is_taken[j] = false;
+  }
+  return best;
+}
+
+TEST(EvaluateDoors, HitsAgreeWithTheirBruteForceTwin) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(0, 1.5);
+  const auto doors = [&](int count) {
+    std::vector<Segment2> made;
+    for (int i = 0; i < count; ++i) {
+      const Eigen::Vector2d a(place(random), place(random));
+      made.push_back({a, a + Eigen::Vector2d(0.8, 0)});
+    }
+    return made;
+  };
+  for (int round = 0; round < 50; ++round) {
+    JudgedPlan truth, result;
+    truth.doors = doors(5);
+    result.doors = doors(4);
+    std::vector<bool> is_taken(4, false);
+    const int hits = SlowHits(truth.doors, result.doors, is_taken);
+    EXPECT_NEAR(*EvaluateDoors(result, truth).recall, hits / 5.0, 1e-12);
+    EXPECT_NEAR(*EvaluateDoors(result, truth).precision, hits / 4.0, 1e-12);
+  }
 }
 
 TEST(EvaluateDoors, NoDoorsGiveNone) {

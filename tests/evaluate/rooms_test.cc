@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "enfilade/geometry/angles.h"
 #include "tests/evaluate/small_home.h"
 
@@ -133,6 +136,42 @@ TEST(MatchRooms, IsOneToOneByFallingIou) {
   EXPECT_THAT(MatchRooms(overlaps), ElementsAre(1, 0));
   overlaps.iou = {{0.6, 0}, {0.7, 0}};
   EXPECT_THAT(MatchRooms(overlaps), ElementsAre(-1, 0));
+}
+
+// The twin: looks through all free pairs again for each match.
+std::vector<int> SlowMatches(const RoomOverlaps& overlaps) {
+  std::vector<int> matches(overlaps.truth_m2.size(), -1);
+  std::vector<bool> is_taken(overlaps.result_m2.size(), false);
+  while (true) {
+    double best = 0;
+    size_t best_truth = 0, best_result = 0;
+    for (size_t t = 0; t < matches.size(); ++t) {
+      for (size_t r = 0; r < is_taken.size(); ++r) {
+        if (matches[t] >= 0 || is_taken[r] || overlaps.iou[t][r] <= best) continue;
+        best = overlaps.iou[t][r];
+        best_truth = t;
+        best_result = r;
+      }
+    }
+    if (best == 0) return matches;
+    matches[best_truth] = static_cast<int>(best_result);
+    is_taken[best_result] = true;
+  }
+}
+
+TEST(MatchRooms, AgreesWithItsBruteForceTwin) {
+  std::mt19937 random(12);
+  std::uniform_int_distribution<int> tenths(-4, 9);  // ties and pairs that share nothing
+  for (int round = 0; round < 100; ++round) {
+    RoomOverlaps overlaps;
+    overlaps.truth_m2.assign(5, 1);
+    overlaps.result_m2.assign(4, 1);
+    for (int t = 0; t < 5; ++t) {
+      overlaps.iou.emplace_back();
+      for (int r = 0; r < 4; ++r) overlaps.iou.back().push_back(std::max(0, tenths(random)) / 10.0);
+    }
+    EXPECT_EQ(MatchRooms(overlaps), SlowMatches(overlaps));
+  }
 }
 
 }  // namespace

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/evaluate/small_home.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "enfilade/exchange/npy.h"
+#include "enfilade/exchange/pixel_truth.h"
 #include "enfilade/geometry/angles.h"
+#include "enfilade/image/codec.h"
 
 namespace enfilade {
 namespace {
@@ -31,6 +36,33 @@ Rigid3 UprightCamera(const Vector2d& position, double yaw_rad) {
   pose.rotation.col(2) = Vector3d(std::cos(yaw_rad), std::sin(yaw_rad), 0);   // forward
   pose.translation = Vector3d(position.x(), position.y(), kCameraHeight_m);
   return pose;
+}
+
+// What a ray meets in a closed room.
+struct RoomHit {
+  double distance_m;
+  SurfaceLabel label;
+  Vector3d normal;
+};
+
+RoomHit CastInRoom(const Ring2& room, double ceiling_z, const Vector3d& camera,
+                   const Vector3d& ray) {
+  const double level = ray.head<2>().norm();
+  const double wall_m = RayDistance(room, camera.head<2>(), ray.head<2>() / level) / level;
+  const double flat_m = ray.z() < 0 ? -camera.z() / ray.z() : (ceiling_z - camera.z()) / ray.z();
+  if (flat_m < wall_m) {
+    return {flat_m, ray.z() < 0 ? SurfaceLabel::kFloor : SurfaceLabel::kCeiling,
+            Vector3d(0, 0, ray.z() < 0 ? 1 : -1)};
+  }
+  // The rooms are along the axes: the wall faces the axis on whose edge the point lies.
+  const Vector2d p = (camera + wall_m * ray).head<2>();
+  const bool is_across_x = std::any_of(room.begin(), room.end(), [&](const Vector2d& corner) {
+    return std::abs(corner.x() - p.x()) < 1e-9;
+  });
+  const int axis = is_across_x ? 0 : 1;
+  Vector3d normal = Vector3d::Zero();
+  normal[axis] = ray[axis] > 0 ? -1 : 1;
+  return {wall_m, SurfaceLabel::kWall, normal};
 }
 
 // Every edge of the rooms less the doors, by hand: the doors lie on the horizontal edges.
@@ -93,6 +125,18 @@ Floorplan MakePlan(const std::vector<Ring2>& rooms_in_world,
     for (const Vector2d& p : rooms_in_world[i]) room.polygon.outer.push_back(ToHome(p));
     room.ceiling_z = kCeilings_m[i % std::size(kCeilings_m)];
     storey.rooms.push_back(room);
+    const Ring2& ring = room.polygon.outer;
+    for (size_t k = 0; k < ring.size(); ++k) {
+      Wall wall;
+      wall.id = static_cast<int>(storey.walls.size());
+      wall.a = ring[k];
+      wall.b = ring[(k + 1) % ring.size()];
+      wall.room_id = room.id;
+      wall.thickness_m = 0.1;
+      wall.seen = static_cast<WallSeen>(wall.id % 3);
+      wall.sigma_m = 0.02;
+      storey.walls.push_back(wall);
+    }
   }
   for (Opening opening : openings_in_world) {
     opening.a = ToHome(opening.a);
@@ -101,6 +145,36 @@ Floorplan MakePlan(const std::vector<Ring2>& rooms_in_world,
   }
   plan.storeys.push_back(storey);
   return plan;
+}
+
+void WritePixelTruth(const std::filesystem::path& folder, SmallHome& home) {
+  constexpr int kRows = 32, kCols = 64;
+  const Camera camera = EquirectangularCamera(kCols, kRows);
+  const std::vector<Ring2> rooms = SmallHomeRooms();
+  for (size_t i = 0; i < rooms.size(); ++i) {
+    TruthView& view = home.truth.views[i];
+    ImageF depth(kRows, kCols);
+    Image<int8_t> normals(kRows, kCols, 3);
+    ImageU8 labels(kRows, kCols);
+    for (int row = 0; row < kRows; ++row) {
+      for (int col = 0; col < kCols; ++col) {
+        const Vector3d ray =
+            view.world_from_cam->rotation * camera.RayFromPixel({col + 0.5, row + 0.5});
+        const RoomHit hit =
+            CastInRoom(rooms[i], kCeilings_m[i], view.world_from_cam->translation, ray);
+        depth(row, col) = static_cast<float>(hit.distance_m);
+        labels(row, col) = static_cast<uint8_t>(hit.label);
+        for (int k = 0; k < 3; ++k) normals(row, col, k) = static_cast<int8_t>(127 * hit.normal[k]);
+      }
+    }
+    const std::string stem = std::to_string(i);
+    view.depth_path = folder / ("depth_" + stem + ".npy");
+    view.normals_path = folder / ("normals_" + stem + ".npy");
+    view.labels_path = folder / ("labels_" + stem + ".png");
+    WriteNpy(view.depth_path, depth);
+    WriteNpy(view.normals_path, normals);
+    WriteImage(view.labels_path, labels);
+  }
 }
 
 SmallHome MakeSmallHome() {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+
 #include "enfilade/exchange/ground_truth.h"
 #include "enfilade/floorplan/types.h"
 #include "enfilade/scene/types.h"
@@ -30,8 +32,13 @@ struct SmallHome {
 [[nodiscard]] SmallHome MakeSmallHome();
 
 /// The plan of those rooms with those openings cut into their walls, all given in the world frame.
+/// Every edge is a wall; wall i is seen, partly seen or inferred as i mod 3 and known to 2 cm.
 [[nodiscard]] Floorplan MakePlan(const std::vector<Ring2>& rooms_in_world,
                                  const std::vector<Opening>& openings_in_world);
+
+/// Writes the truth about the pixels of the home's pictures (64 × 32, doors closed) below `folder`
+/// and names it in the truth.
+void WritePixelTruth(const std::filesystem::path& folder, SmallHome& home);
 
 /// The rings of the three rooms and their two doors (a pair of faces each) in the world.
 [[nodiscard]] std::vector<Ring2> SmallHomeRooms();

@@ -28,7 +28,7 @@ struct EvaluationInput {
   const Structure* structure = nullptr;
   const Floorplan* floorplan = nullptr;
   const BuildingModel* model = nullptr;  ///< requires `scene` and `floorplan`: its home frame
-  ModelErrorSink model_error_sink;       ///< is given the error map of every panorama, if set
+  ModelErrorSink model_error_sink = {};  ///< is given the error map of every panorama, if set
 };
 
 struct EvaluateOptions {
