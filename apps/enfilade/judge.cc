@@ -46,9 +46,9 @@ std::vector<std::string> ErrorMapNames(const Scene& scene) {
   for (const View& view : scene.views) ++num_with_stem[stem_of(view)];
   std::vector<std::string> names;
   for (const View& view : scene.views) {
-    const std::string stem = stem_of(view);
-    names.push_back(stem + (num_with_stem[stem] > 1 ? "_" + view.sha256.substr(0, 8) : "") +
-                    ".png");
+    std::string name = stem_of(view);
+    if (num_with_stem[name] > 1) name.append("_").append(view.sha256, 0, 8);
+    names.push_back(name.append(".png"));
   }
   return names;
 }
