@@ -9,8 +9,6 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/hash.h"
-#include "enfilade/evidence/accumulate.h"
-#include "enfilade/evidence/core.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/gltf_writer.h"
 #include "enfilade/exchange/obj_writer.h"
@@ -23,7 +21,7 @@
 #include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
 #include "enfilade/structure/analyze.h"
-#include "enfilade/structure/wall_samples.h"
+#include "src/pipeline/gather_evidence.h"
 #include "src/pipeline/scene_hash.h"
 
 namespace enfilade {
@@ -53,57 +51,22 @@ StageResult FindStructure(const Workspace& workspace, const PipelineOptions& opt
   return {};
 }
 
-// The scene's points in the home frame that lie between the storey's floor and ceiling.
-EvidencePoints PointsOfStorey(const Scene& scene, const Structure& structure, size_t storey_idx) {
-  const StoreyStructure& storey = structure.storeys[storey_idx];
-  EvidencePoints points{.points = {},
-                        .camera_positions = {},
-                        .floor_z = storey.floor_z,
-                        .ceiling_z = storey.ceiling_z};
-  for (const View& view : scene.views) {
-    points.camera_positions.push_back(structure.home_from_world * view.world_from_cam.translation);
-  }
-  for (ScenePoint point : scene.points) {
-    point.position = structure.home_from_world * point.position;
-    point.normal = structure.home_from_world.rotation * point.normal;
-    const bool is_in_storey =
-        point.position.z() > storey.floor_z && point.position.z() < storey.ceiling_z;
-    if (is_in_storey) points.points.push_back(std::move(point));
-  }
-  return points;
-}
-
 StageResult GatherEvidence(const Workspace& workspace, const PipelineOptions& options,
                            RunContext& context) {
   const Scene scene = ReadSceneJson(workspace.scene_file());
   const Structure structure = ReadStructure(workspace.structure_folder());
-  std::vector<EvidenceGrids> storeys;
-  int num_cores = 0;
-  for (size_t i = 0; i < structure.storeys.size(); ++i) {
-    const WallSampleSet samples = MakeWallSamples(structure, scene, static_cast<int>(i));
-    EvidenceReport report = AccumulateEvidence(samples, PointsOfStorey(scene, structure, i),
-                                               options.evidence.grid, context);
-    if (report.outcome != EvidenceOutcome::kDone) return NoResult(report.reason);
-    CoreReport core = FindCore(report.grids, options.evidence.core, context);
-    report.grids.core = std::move(core.core);
-    report.grids.num_cores = core.num_cores;
-    num_cores += core.num_cores;
-    storeys.push_back(std::move(report.grids));
-  }
-  WriteEvidence(workspace.evidence_folder(), storeys);
-  return num_cores > 0 ? StageResult{} : NoResult("no panorama stands in clear free space");
+  const GatheredEvidence gathered = EvidenceOf(scene, structure, options.evidence, context);
+  if (!gathered.reason.empty()) return NoResult(gathered.reason);
+  WriteEvidence(workspace.evidence_folder(), gathered.storeys);
+  return gathered.num_cores > 0 ? StageResult{}
+                                : NoResult("no panorama stands in clear free space");
 }
 
 // What the plan came from: the version and the options of the stages up to here, as their records
 // tell, without paths.
 Json Provenance(const Workspace& workspace) {
   const Manifest manifest = ReadManifest(workspace.manifest_file());
-  PipelineOptions options;
-  for (const StageRecord& record : manifest.stages) {
-    for (const auto& [path, value] : record.options) {
-      SetOption(VisitorOf(options), record.name + "." + path, value, "manifest.json");
-    }
-  }
+  PipelineOptions options = OptionsOf(manifest);
   Json json = OptionsToJson(VisitorOf(options));
   for (const char* later_stage : {"model", "export"}) json.erase(later_stage);
   for (const char* path : {"poses", "mask"}) json["sfm"].erase(path);

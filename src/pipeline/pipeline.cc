@@ -50,6 +50,16 @@ std::vector<fs::path> FilesFrom(const std::vector<Stage>& stages, size_t first) 
 
 }  // namespace
 
+PipelineOptions OptionsOf(const Manifest& manifest) {
+  PipelineOptions options;
+  for (const StageRecord& record : manifest.stages) {
+    for (const auto& [path, value] : record.options) {
+      SetOption(VisitorOf(options), record.name + "." + path, value, "manifest.json");
+    }
+  }
+  return options;
+}
+
 StageResult RunPipeline(const fs::path& input, const Workspace& workspace,
                         const PipelineOptions& options, std::string_view last_stage,
                         RunContext& context) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "enfilade/base/run_context.h"
+#include "enfilade/pipeline/manifest.h"
 #include "enfilade/pipeline/options.h"
 #include "enfilade/pipeline/stage.h"
 #include "enfilade/pipeline/workspace.h"
@@ -15,6 +16,10 @@ namespace enfilade {
 
 /// The stages in flow order: sfm, structure, evidence, floorplan, model, export.
 [[nodiscard]] std::span<const std::string_view> StageNames();
+
+/// The options that the stages in a manifest ran with; defaults for stages that did not. Throws
+/// InvalidInputError when the manifest holds an option that this version lacks.
+[[nodiscard]] PipelineOptions OptionsOf(const Manifest& manifest);
 
 /// Everything from a folder of pictures to the stage called `last_stage`, all files in `workspace`.
 /// Stages whose results stand are skipped (see RunStages), so an interrupted run continues where it

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/pipeline/leave_one_out.h"
+
+#include <algorithm>
+
+#include "enfilade/base/check.h"
+#include "enfilade/floorplan/solve.h"
+#include "enfilade/structure/analyze.h"
+#include "src/pipeline/gather_evidence.h"
+
+namespace enfilade {
+namespace {
+
+constexpr int kMinOthers = 2;
+
+Scene SceneWithout(const Scene& scene, int view_idx) {
+  Scene others = scene;
+  others.views.erase(others.views.begin() + view_idx);
+  std::erase_if(others.points, [&](const ScenePoint& point) {
+    return point.view_idx.size() == 1 && point.view_idx.front() == view_idx;
+  });
+  for (ScenePoint& point : others.points) {
+    std::erase(point.view_idx, view_idx);
+    for (int& i : point.view_idx) i -= i > view_idx;
+  }
+  return others;
+}
+
+}  // namespace
+
+bool CanPlanWithout(const Scene& scene, int view_idx) {
+  ENFILADE_CHECK(view_idx >= 0 && static_cast<size_t>(view_idx) < scene.views.size());
+  const int storey_idx = scene.views[static_cast<size_t>(view_idx)].storey_idx;
+  return std::count_if(scene.views.begin(), scene.views.end(), [&](const View& view) {
+           return view.storey_idx == storey_idx;
+         }) > kMinOthers;
+}
+
+Floorplan PlanWithout(const Scene& scene, int view_idx, const PipelineOptions& options,
+                      RunContext& context) {
+  ENFILADE_CHECK(CanPlanWithout(scene, view_idx));
+  const Scene others = SceneWithout(scene, view_idx);
+  const Structure structure = AnalyzeStructure(others, options.structure, context).structure;
+  const GatheredEvidence evidence = EvidenceOf(others, structure, options.evidence, context);
+  if (!evidence.reason.empty()) return {};
+  return SolveFloorplan(others, structure, evidence.storeys, options.floorplan, context).plan;
+}
+
+}  // namespace enfilade
