@@ -14,6 +14,7 @@
 
 #include "apps/enfilade/command.h"
 #include "apps/enfilade/judge.h"
+#include "apps/enfilade/self_check.h"
 #include "apps/enfilade/synth_home.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
@@ -102,13 +103,14 @@ void MakeOnce(const fs::path& folder, SynthOptions options, RunContext& context)
 }
 
 MetricReport JudgeHome(const BatchHome& home, const Workspace& workspace,
-                       const PipelineOptions& options, RunContext& context) {
+                       const PipelineOptions& options, bool is_self, RunContext& context) {
   const StageResult result = RunPipeline(home.pictures, workspace, options, "export", context);
   if (result.outcome == StageOutcome::kNoResult)
     throw InvalidInputError(home.name, "has no result", result.reason);
   const WorkspaceLock lock(workspace, WorkspaceUse::kExisting);
   const Manifest manifest = ReadManifest(workspace.manifest_file());
   const Results results = LoadResults(workspace, manifest);
+  if (is_self) MakePlansWithoutEach(workspace, manifest, results, context);
   const GroundTruth truth = ReadGroundTruth(home.truth, results.scene->camera_height_m.value_or(0));
   return JudgeResults(workspace, manifest, results, truth, context);
 }
@@ -122,7 +124,7 @@ void WriteTables(const fs::path& folder, const std::vector<JudgedHome>& homes) {
 }  // namespace
 
 int RunBatch(const fs::path& manifest_file, const fs::path& folder, const PipelineOptions& options,
-             RunContext& context) {
+             bool is_self, RunContext& context) {
   std::vector<BatchHome> homes = ReadBatchManifest(manifest_file);
   CreateFolder(folder / "homes");
   CreateFolder(folder / "results");
@@ -137,7 +139,7 @@ int RunBatch(const fs::path& manifest_file, const fs::path& folder, const Pipeli
         MakeOnce(home.pictures, *home.synth, context);
       }
       outcome.figures =
-          JudgeHome(home, Workspace(folder / "results" / home.name), options, context);
+          JudgeHome(home, Workspace(folder / "results" / home.name), options, is_self, context);
     } catch (const UserError& error) {
       outcome.error = error.what();
       context.log().Error(outcome.error);

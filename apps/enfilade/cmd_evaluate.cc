@@ -9,6 +9,7 @@
 #include "apps/enfilade/batch.h"
 #include "apps/enfilade/command.h"
 #include "apps/enfilade/judge.h"
+#include "apps/enfilade/self_check.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/evaluate/columns.h"
 #include "enfilade/evaluate/picture_matching.h"
@@ -23,6 +24,7 @@ struct Arguments {
   std::string output;
   std::string truth;
   std::string batch;
+  bool is_self = false;
   bool is_ablation = false;
   CommonArguments common;
   OptionArguments options;
@@ -85,14 +87,18 @@ Action SetupEvaluate(CLI::App& parser) {
       .add_option("--truth", arguments->truth,
                   "Folder with truth/floorplan.json, floorplan.json, zind_data.json or layout.obj")
       ->type_name("DIR");
-  CLI::Option* const batch = against.add_option(
-      "--batch", arguments->batch, "Make, reconstruct and judge all homes that this file lists");
-  batch->type_name("MANIFEST");
-  against.require_option(1);
+  against
+      .add_option("--batch", arguments->batch,
+                  "Make, reconstruct and judge all homes that this file lists")
+      ->type_name("MANIFEST");
+  against.add_flag("--self", arguments->is_self,
+                   "The run against itself: each panorama against the plan made without it");
+  against.require_option(1, 2);
+  against.get_option("--truth")->excludes("--batch");
   parser
       .add_flag("--ablation", arguments->is_ablation,
                 "Instead, find the wall profiles anew with each set of cues and compare them")
-      ->excludes(batch);
+      ->needs(against.get_option("--truth"));
   arguments->common.Register(parser);
   PipelineOptions defaults;
   arguments->options.Register(parser, VisitorOf(defaults));
@@ -101,12 +107,19 @@ Action SetupEvaluate(CLI::App& parser) {
     PipelineOptions options;
     arguments->options.Apply(VisitorOf(options));
     Session session(arguments->common);
-    if (!arguments->batch.empty())
-      return RunBatch(arguments->batch, arguments->output, options, session.context());
+    if (!arguments->batch.empty()) {
+      return RunBatch(arguments->batch, arguments->output, options, arguments->is_self,
+                      session.context());
+    }
     const Workspace workspace(arguments->output);
     const WorkspaceLock lock(workspace, WorkspaceUse::kExisting);
     const Manifest manifest = ReadManifest(workspace.manifest_file());
     const Results results = LoadResults(workspace, manifest);
+    if (arguments->is_self) {
+      MakePlansWithoutEach(workspace, manifest, results, session.context());
+      JudgeSelf(workspace, manifest, results);
+    }
+    if (arguments->truth.empty()) return kExitOk;
     const GroundTruth truth =
         ReadGroundTruth(arguments->truth, results.scene->camera_height_m.value_or(0));
     if (arguments->is_ablation) {

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "apps/enfilade/self_check.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
@@ -25,7 +27,6 @@
 #include "enfilade/pipeline/structure_file.h"
 
 namespace enfilade {
-namespace {
 
 void AddCosts(const Manifest& manifest, MetricReport& figures) {
   double seconds = 0, peak_memory_mb = 0;
@@ -36,6 +37,8 @@ void AddCosts(const Manifest& manifest, MetricReport& figures) {
   figures["seconds"] = seconds;
   figures["peak_memory_mb"] = peak_memory_mb;
 }
+
+namespace {
 
 // Names of the error maps by view: the picture's stem, and some of its hash where others share it.
 std::vector<std::string> ErrorMapNames(const Scene& scene) {
@@ -99,8 +102,12 @@ MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
                               .model_error_sink = write_map};
   EvaluationReport report = Evaluate(input, truth, EvaluateOptions{}, context);
   AddCosts(manifest, report.figures);
+  const std::optional<SelfReport> self = CheckSelf(workspace, manifest, results);
+  if (self) report.figures["self_score"] = self->score;
   WriteFileAtomic(workspace.overlay_file(), RenderOverlayPng(input, truth, report));
-  WriteJsonFile(workspace.evaluation_file(), ReportToJson(report));
+  nlohmann::json json = ReportToJson(report);
+  if (self) json["self_panoramas"] = SelfReportToJson(*self);
+  WriteJsonFile(workspace.evaluation_file(), json);
   return report.figures;
 }
 

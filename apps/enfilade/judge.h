@@ -28,9 +28,13 @@ struct Results {
 /// Throws InvalidInputError when not even the first stage has a result, IoError.
 [[nodiscard]] Results LoadResults(const Workspace& workspace, const Manifest& manifest);
 
+/// Adds what the run cost, in time and memory.
+void AddCosts(const Manifest& manifest, MetricReport& figures);
+
 /// Compares what is in a result folder, locked by the caller, with the truth: writes
 /// evaluation.json, the overlay and, where there is a model and the truth knows depth or normals,
-/// an error map per panorama there, and returns the figures. Throws InvalidInputError, IoError.
+/// an error map per panorama there, and returns the figures. Those of the run against itself
+/// (self_check.h) are among them where its plans stand. Throws InvalidInputError, IoError.
 MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
                           const Results& results, const GroundTruth& truth, RunContext& context);
 

@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "enfilade/base/errors.h"
-#include "enfilade/base/hash.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/gltf_writer.h"
 #include "enfilade/exchange/obj_writer.h"
@@ -31,21 +29,9 @@ using Json = nlohmann::json;
 
 StageResult NoResult(const std::string& reason) { return {StageOutcome::kNoResult, reason}; }
 
-// The scene for a stage that looks at its pictures, which must still be those that sfm saw.
-Scene LoadSceneWithPictures(const Workspace& workspace) {
-  Scene scene = ReadSceneJson(workspace.scene_file());
-  for (const View& view : scene.views) {
-    if (Sha256OfFile(view.path) != view.sha256) {
-      throw InvalidInputError(view.path.native(), "has changed since it was read",
-                              "run 'enfilade run' or 'enfilade sfm' again");
-    }
-  }
-  return scene;
-}
-
 StageResult FindStructure(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
-  const Scene scene = LoadSceneWithPictures(workspace);
+  const Scene scene = ReadSceneWithPictures(workspace);
   const StructureReport report = AnalyzeStructure(scene, options.structure, context);
   WriteStructure(workspace.structure_folder(), report.structure);
   return {};
@@ -87,7 +73,7 @@ StageResult DrawFloorplan(const Workspace& workspace, const PipelineOptions& opt
 
 StageResult BuildModel(const Workspace& workspace, const PipelineOptions& options,
                        RunContext& context) {
-  const Scene scene = LoadSceneWithPictures(workspace);
+  const Scene scene = ReadSceneWithPictures(workspace);
   const Floorplan plan = ReadFloorplanJson(workspace.floorplan_file());
   const TextureResult textured =
       TextureModel(scene, plan, ExtrudeFloorplan(plan), options.model, context);

@@ -8,6 +8,8 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
+#include "enfilade/base/hash.h"
+#include "enfilade/exchange/scene_json.h"
 #include "enfilade/exchange/scene_reader.h"
 #include "enfilade/pipeline/memory_need.h"
 #include "src/pipeline/flow.h"
@@ -58,6 +60,17 @@ PipelineOptions OptionsOf(const Manifest& manifest) {
     }
   }
   return options;
+}
+
+Scene ReadSceneWithPictures(const Workspace& workspace) {
+  Scene scene = ReadSceneJson(workspace.scene_file());
+  for (const View& view : scene.views) {
+    if (Sha256OfFile(view.path) != view.sha256) {
+      throw InvalidInputError(view.path.native(), "has changed since it was read",
+                              "run 'enfilade run' or 'enfilade sfm' again");
+    }
+  }
+  return scene;
 }
 
 StageResult RunPipeline(const fs::path& input, const Workspace& workspace,

@@ -11,6 +11,7 @@
 #include "enfilade/pipeline/options.h"
 #include "enfilade/pipeline/stage.h"
 #include "enfilade/pipeline/workspace.h"
+#include "enfilade/scene/types.h"
 
 namespace enfilade {
 
@@ -20,6 +21,10 @@ namespace enfilade {
 /// The options that the stages in a manifest ran with; defaults for stages that did not. Throws
 /// InvalidInputError when the manifest holds an option that this version lacks.
 [[nodiscard]] PipelineOptions OptionsOf(const Manifest& manifest);
+
+/// The scene of a result folder for something that looks at its pictures. Throws IoError, and
+/// InvalidInputError when one of them is no longer what sfm saw.
+[[nodiscard]] Scene ReadSceneWithPictures(const Workspace& workspace);
 
 /// Everything from a folder of pictures to the stage called `last_stage`, all files in `workspace`.
 /// Stages whose results stand are skipped (see RunStages), so an interrupted run continues where it

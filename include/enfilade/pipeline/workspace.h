@@ -25,6 +25,10 @@ class Workspace {
   [[nodiscard]] std::filesystem::path evaluation_file() const { return root_ / "evaluation.json"; }
   [[nodiscard]] std::filesystem::path overlay_file() const { return root_ / "overlay.png"; }
   [[nodiscard]] std::filesystem::path error_maps_folder() const { return root_ / "error_maps"; }
+  /// Plans made without one panorama each, by which the run is checked against itself.
+  [[nodiscard]] std::filesystem::path leave_one_out_folder() const {
+    return root_ / "leave_one_out";
+  }
   [[nodiscard]] std::filesystem::path lock_file() const { return root_ / ".lock"; }
 
  private:
