@@ -149,7 +149,7 @@ void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random) {
       rotation = leaning(random.Uniform(-recipe.tilt_rad, recipe.tilt_rad)) * rotation;
     if (errors.position_m + errors.yaw_rad + errors.tilt_rad <= 0) continue;
     Rigid3 claimed = camera.home_from_cam;
-    for (int k = 0; k < 3; ++k) claimed.translation[k] += errors.position_m * random.Normal();
+    for (int k = 0; k < 2; ++k) claimed.translation[k] += errors.position_m * random.Normal();
     claimed.rotation = RotationZ(errors.yaw_rad * random.Normal()) * claimed.rotation;
     camera.claimed_home_from_cam = claimed;
     rotation = leaning(errors.tilt_rad * random.Normal()) * rotation;

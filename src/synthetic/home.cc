@@ -119,10 +119,12 @@ void AssignWetRooms(Home& home) {
   if (rooms.size() > 1) use(*rooms.back(), RoomUse::kKitchen, random);
 }
 
-// Gives one room a ceiling that rises along an axis, and others a moulding under theirs.
+// Gives one room a ceiling that rises along an axis, others a moulding under theirs or the colour
+// of their walls.
 void ShapeCeilings(Home& home, const HomeRecipe& recipe, Random& random) {
   for (HomeRoom& room : home.rooms) {
     if (random.Chance(recipe.crown_chance)) room.crown_m = random.Millimetres(0.05, 0.10);
+    if (random.Chance(recipe.plain_ceilings)) room.ceiling_rgb = room.wall_rgb;
   }
   if (!random.Chance(recipe.slope_chance)) return;
   HomeRoom& room =
@@ -140,7 +142,8 @@ bool ShapeRooms(Home& home, const HomeRecipe& recipe, Random& random) {
   if (recipe.has_curved_wall && !AddCurvedWall(home, random)) return false;
   if (recipe.num_niches > 0 && !AddNiches(home, recipe.num_niches, random)) return false;
   if (recipe.num_pillars > 0 && !AddPillars(home, recipe.num_pillars, random)) return false;
-  if (recipe.slope_chance + recipe.crown_chance > 0) ShapeCeilings(home, recipe, random);
+  if (recipe.slope_chance + recipe.crown_chance + recipe.plain_ceilings > 0)
+    ShapeCeilings(home, recipe, random);
   return true;
 }
 
@@ -199,7 +202,8 @@ std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
   std::vector<float> radiance;
   for (const HomeRoom& room : home.rooms) {
     // About the same light on every floor, whatever its size.
-    radiance.push_back(static_cast<float>(random.Uniform(0.8, 1.2) * (6 + Area(room.polygon))));
+    radiance.push_back(static_cast<float>(recipe.lamp_light * random.Uniform(0.8, 1.2) *
+                                          (6 + Area(room.polygon))));
   }
   HangLamps(home, radiance);
   home.baseboard_m = random.Millimetres(0.06, 0.08);

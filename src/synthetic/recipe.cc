@@ -26,11 +26,14 @@ HomeRecipe TourRecipe() {
   recipe.has_mirror_or_low_window = true;
   recipe.furnished_rooms = 0.5;
   recipe.sun_chance = 0.6;
+  // With these, ceilings stand out against walls by as many grey levels as in real tours.
+  recipe.lamp_light = 0.3;
+  recipe.plain_ceilings = 0.5;
   recipe.slope_chance = 0.25;
-  recipe.crown_chance = 0.3;
+  recipe.crown_chance = 0.15;
   recipe.cameras = CameraPlan::kTour;
   // Poses that a person has set by hand are this good, and nobody measures the tripod's tilt.
-  recipe.errors = {.position_m = 0.02, .yaw_rad = DegToRad(0.3), .tilt_rad = DegToRad(0.3)};
+  recipe.errors = {.position_m = 0.015, .yaw_rad = DegToRad(0.2), .tilt_rad = DegToRad(0.2)};
   return recipe;
 }
 

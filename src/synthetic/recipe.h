@@ -12,7 +12,7 @@ enum class CameraPlan { kRooms, kTour, kWalk };
 
 /// Standard deviations of what is claimed about a pose.
 struct PoseErrors {
-  double position_m = 0;  ///< each axis
+  double position_m = 0;  ///< along x and along y; a tripod's height is well known
   double yaw_rad = 0;
   double tilt_rad = 0;  ///< the camera leans by this more than is claimed
 };
@@ -36,8 +36,10 @@ struct HomeRecipe {
   double furnished_rooms = 1;
   double min_hidden_floor_line = 0;  ///< share that furniture hides
   double sun_chance = 0;
-  double slope_chance = 0;  ///< of one room with a sloped ceiling
-  double crown_chance = 0;  ///< of a moulding under a room's ceiling
+  double lamp_light = 1;      ///< of what lights a room well: the rest is left to its windows
+  double plain_ceilings = 0;  ///< share of rooms whose ceiling has the colour of the walls
+  double slope_chance = 0;    ///< of one room with a sloped ceiling
+  double crown_chance = 0;    ///< of a moulding under a room's ceiling
   CameraPlan cameras = CameraPlan::kRooms;
   double tilt_rad = 0;        ///< cameras lean by up to this; the claimed pose knows
   PoseErrors errors;          ///< of the claimed poses

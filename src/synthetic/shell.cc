@@ -16,8 +16,6 @@ using Eigen::Vector2f;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr std::array<float, 3> kCeilingWhite = {0.82f, 0.82f, 0.80f};
-
 Vector3d At(const Vector2d& p, double z) { return {p.x(), p.y(), z}; }
 
 void AddLevel(const HomeRoom& room, bool is_floor, SurfaceList& list) {
@@ -43,7 +41,7 @@ void AddLevel(const HomeRoom& room, bool is_floor, SurfaceList& list) {
   for (const Vector2d& p : places) surface.vertices.push_back((p - bounds.min).cast<float>());
   surface.triangles = triangulation.triangles;
   surface.finish = is_floor ? room.floor_finish : Finish::kPaint;
-  surface.rgb = is_floor ? room.floor_rgb : Vector3f(kCeilingWhite.data());
+  surface.rgb = is_floor ? room.floor_rgb : room.ceiling_rgb;
   surface.gloss = !is_floor || room.floor_finish == Finish::kCarpet ? 0.0f : 0.5f;
   surface.label = is_floor ? SurfaceLabel::kFloor : SurfaceLabel::kCeiling;
   surface.room_id = room.id;

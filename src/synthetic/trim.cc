@@ -94,7 +94,7 @@ void AddBaseboards(const Home& home, const HomeWall& wall, const SurfaceTraits& 
 void AddCrown(const Home& home, const HomeWall& wall, SurfaceList& list) {
   const HomeRoom& room = home.RoomById(wall.room_id);
   if (room.crown_m <= 0) return;
-  const SurfaceTraits traits = WallTraits(wall, {0.82f, 0.82f, 0.80f});
+  const SurfaceTraits traits = WallTraits(wall, room.ceiling_rgb);
   list.AddBox(BoxOnWall(wall, 0, (wall.b - wall.a).norm(), 0, 0.6 * room.crown_m,
                         room.ceiling_z - room.crown_m, room.ceiling_z),
               traits);

@@ -56,6 +56,7 @@ struct HomeRoom {
   Finish floor_finish = Finish::kCarpet;
   Eigen::Vector3f wall_rgb{0.80f, 0.79f, 0.76f};  ///< diffuse reflectance, linear
   Eigen::Vector3f floor_rgb{0.35f, 0.30f, 0.25f};
+  Eigen::Vector3f ceiling_rgb{0.82f, 0.82f, 0.80f};
 
   [[nodiscard]] bool HasLevelCeiling() const { return ceiling_slope.isZero(); }
   /// Height of the ceiling's plane above z = 0 at a place.
