@@ -11,6 +11,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/scene/camera.h"
 #include "src/synthetic/finish.h"
+#include "src/synthetic/lamp.h"
 #include "src/synthetic/light.h"
 #include "src/synthetic/random.h"
 #include "src/synthetic/ray_scene.h"
@@ -44,39 +45,16 @@ namespace {
 constexpr double kWallTone = 0.82;
 constexpr float kMirrorReflectance = 0.9f;
 constexpr float kPi_f = static_cast<float>(kPi);
-constexpr double kLampThickness_m = 0.06;
 constexpr double kPaneDepth = 0.6;   // share of the wall's thickness
 constexpr float kShadeGlow = 0.10f;  // lamps are this share of their radiance: what the shade shows
-
-// Distance to the nearest lamp's shade (a flat box) along the ray; infinity when none is hit.
-float LampDistance(const Home& home, const Vector3f& origin, const Vector3f& direction,
-                   const HomeLamp** lamp_hit) {
-  float nearest = std::numeric_limits<float>::infinity();
-  for (const HomeLamp& lamp : home.lamps) {
-    const Vector3d half(lamp.size.x() / 2, lamp.size.y() / 2, 0);
-    const Vector3f low = (lamp.center - half).cast<float>();
-    const Vector3f high = (lamp.center + half + Vector3d(0, 0, kLampThickness_m)).cast<float>();
-    float enter = 0, leave = nearest;
-    for (int k = 0; k < 3; ++k) {
-      const float a = (low[k] - origin[k]) / direction[k], b = (high[k] - origin[k]) / direction[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    if (enter > 0 && enter < leave) {
-      nearest = enter;
-      *lamp_hit = &lamp;
-    }
-  }
-  return nearest;
-}
 
 // Light from a ray's first surface, mirror images left out.
 Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
                          std::optional<RayHit>* hit_out) {
   const std::optional<RayHit> hit = lit.scene->Trace(origin, direction);
-  const HomeLamp* lamp = nullptr;
-  const float lamp_m = LampDistance(lit.home, origin, direction, &lamp);
-  if (lamp != nullptr && (!hit || lamp_m < hit->distance_m)) return kShadeGlow * lamp->radiance;
+  const std::optional<LampHit> shade = TraceLamps(lit.home, origin, direction);
+  if (shade && (!hit || shade->distance_m < hit->distance_m))
+    return kShadeGlow * shade->lamp->radiance;
   if (!hit) return SkyRadiance(direction);
   if (hit_out != nullptr) *hit_out = hit;
   const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
@@ -251,12 +229,11 @@ void RenderColour(const PixelJob& job, int row, int col, ImageF& ideal) {
 void RenderTruth(const PixelJob& job, int row, int col, RenderedPanorama& out) {
   const Vector3f direction = job.Direction(col + 0.5, row + 0.5);
   const std::optional<RayHit> hit = job.lit.scene->Trace(job.origin, direction);
-  const HomeLamp* lamp = nullptr;
-  const float lamp_m = LampDistance(job.lit.home, job.origin, direction, &lamp);
+  const std::optional<LampHit> shade = TraceLamps(job.lit.home, job.origin, direction);
   Vector3d normal_in_home(0, 0, -1);
-  if (lamp != nullptr && (!hit || lamp_m < hit->distance_m)) {
-    out.range_m(row, col) = lamp_m;
-    out.room_id(row, col) = static_cast<int16_t>(lamp->room_id);
+  if (shade && (!hit || shade->distance_m < hit->distance_m)) {
+    out.range_m(row, col) = shade->distance_m;
+    out.room_id(row, col) = static_cast<int16_t>(shade->lamp->room_id);
   } else if (hit) {
     const Surface& surface = job.lit.surfaces[static_cast<size_t>(hit->surface_idx)];
     out.range_m(row, col) = hit->distance_m;
