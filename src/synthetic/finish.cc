@@ -3,7 +3,9 @@
 #include "src/synthetic/finish.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "enfilade/geometry/angles.h"
 #include "src/synthetic/random.h"
@@ -21,15 +23,41 @@ float CellValue(uint64_t seed, int64_t i, int64_t j) {
   return static_cast<float>(bits >> 40) * 0x1.0p-24f;
 }
 
-// Value noise in [−1, 1] with cells of size one, smooth.
+// The values at the corners of a cell of the grid.
+struct alignas(32) NoiseCell {
+  uint64_t seed = 0;
+  int32_t i = std::numeric_limits<int32_t>::min(), j = 0;  // none yet
+  float low[2] = {0, 0}, high[2] = {0, 0};
+};
+
+// Neighbouring rays ask for the same cells, and most of the time would go into their values: each
+// thread remembers some.
+const NoiseCell& CellAt(uint64_t seed, int32_t i, int32_t j) {
+  constexpr size_t kNumRemembered = 256;
+  thread_local std::array<NoiseCell, kNumRemembered> remembered;
+  const uint64_t slot = seed + 3 * static_cast<uint64_t>(i) + 37 * static_cast<uint64_t>(j);
+  NoiseCell& cell = remembered[slot % kNumRemembered];
+  if (cell.seed != seed || cell.i != i || cell.j != j) {
+    cell = {seed,
+            i,
+            j,
+            {CellValue(seed, i, j), CellValue(seed, i + 1, j)},
+            {CellValue(seed, i, j + 1), CellValue(seed, i + 1, j + 1)}};
+  }
+  return cell;
+}
+
+// Value noise in [−1, 1] with cells of size one, smooth; |x|, |y| < 2³¹.
 float Noise(uint64_t seed, float x, float y) {
-  const float fx = std::floor(x), fy = std::floor(y);
-  const auto i = static_cast<int64_t>(fx), j = static_cast<int64_t>(fy);
-  float a = x - fx, b = y - fy;
+  auto i = static_cast<int32_t>(x), j = static_cast<int32_t>(y);
+  i -= x < static_cast<float>(i) ? 1 : 0;  // the floor
+  j -= y < static_cast<float>(j) ? 1 : 0;
+  const NoiseCell& cell = CellAt(seed, i, j);
+  float a = x - static_cast<float>(i), b = y - static_cast<float>(j);
   a = a * a * (3 - 2 * a);
   b = b * b * (3 - 2 * b);
-  const float low = (1 - a) * CellValue(seed, i, j) + a * CellValue(seed, i + 1, j);
-  const float high = (1 - a) * CellValue(seed, i, j + 1) + a * CellValue(seed, i + 1, j + 1);
+  const float low = (1 - a) * cell.low[0] + a * cell.low[1];
+  const float high = (1 - a) * cell.high[0] + a * cell.high[1];
   return 2 * ((1 - b) * low + b * high) - 1;
 }
 

@@ -77,20 +77,12 @@ class Blobs {
   uint64_t seed_;
 };
 
-SurfaceLabel LabelAlong(const Home& home, const std::vector<Surface>& surfaces,
-                        const RayScene& scene, const Vector3f& origin, const Vector3f& direction) {
-  const std::optional<RayHit> hit = scene.Trace(origin, direction);
-  if (!hit) return SurfaceLabel::kOther;
-  const std::optional<LampHit> shade = TraceLamps(home, origin, direction);
-  if (shade && shade->distance_m < hit->distance_m) return SurfaceLabel::kOther;
-  return surfaces[static_cast<size_t>(hit->surface_idx)].label;
-}
-
 // The true labels with their boundaries moved.
 ImageU8 MovedLabels(const Home& home, int camera_idx, ImageSize size, const LabelNoise& noise,
                     uint64_t seed) {
   const std::vector<Surface> surfaces = MakeSurfaces(home);
   const RayScene scene(surfaces);
+  const std::vector<LampShade> shades = MakeLampShades(home);
   const Rigid3& home_from_cam = home.cameras[static_cast<size_t>(camera_idx)].home_from_cam;
   const Vector3f origin = home_from_cam.translation.cast<float>();
   const Camera camera = EquirectangularCamera(size.width, size.height);
@@ -107,9 +99,12 @@ ImageU8 MovedLabels(const Home& home, int camera_idx, ImageSize size, const Labe
       const double moved = row + 0.5 + noise.boundary_sigma_deg * px_per_deg * sigmas;
       const double y = is_above ? std::clamp(moved, 0.0, horizon)
                                 : std::clamp<double>(moved, horizon, size.height);
-      const Eigen::Vector3d ray = home_from_cam.rotation * camera.RayFromPixel({col + 0.5, y});
-      labels(row, col) = static_cast<uint8_t>(
-          LabelAlong(home, surfaces, scene, origin, ray.normalized().cast<float>()));
+      const Vector3f ray =
+          (home_from_cam.rotation * camera.RayFromPixel({col + 0.5, y})).normalized().cast<float>();
+      const std::optional<RayHit> hit = scene.Trace(origin, ray);
+      if (!hit || TraceLamps(shades, origin, ray, hit->distance_m)) continue;  // other
+      labels(row, col) =
+          static_cast<uint8_t>(surfaces[static_cast<size_t>(hit->surface_idx)].label);
     }
   }
   return labels;

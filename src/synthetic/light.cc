@@ -3,6 +3,7 @@
 #include "src/synthetic/light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -22,6 +23,7 @@ constexpr float kLift_m = 1e-3f;         // rays start off the surface
 constexpr float kCoveredWithin_m = 0.03f;
 constexpr int kLampStrata = 5;  // squared: shadow rays to a lamp
 constexpr int kWindowStrata = 7;
+constexpr int kMaxStrata = std::max(kLampStrata, kWindowStrata);
 constexpr int kSmoothings = 2;
 constexpr float kPi_f = static_cast<float>(kPi);
 
@@ -104,13 +106,18 @@ enum class Visibility { kNone, kPart, kAll };
 
 // Looks at a ninth of a light's points: most receivers see all of a light or nothing.
 Visibility ProbeLight(const AreaLight& light, const RayScene& scene, const Vector3f& point) {
-  int num_seen = 0;
   const int middle = light.strata / 2, last = light.strata - 1;
+  std::array<Vector3f, 9> targets;
+  size_t n = 0;
   for (const int i : {0, middle, last}) {
-    for (const int j : {0, middle, last})
-      num_seen += scene.IsBlocked(point, light.Point(i, j)) ? 0 : 1;
+    for (const int j : {0, middle, last}) targets[n++] = light.Point(i, j);
   }
-  return num_seen == 0 ? Visibility::kNone : num_seen == 9 ? Visibility::kAll : Visibility::kPart;
+  std::array<bool, 9> is_blocked;
+  scene.FindBlocked(point, targets, is_blocked);
+  const auto num_blocked = std::count(is_blocked.begin(), is_blocked.end(), true);
+  return num_blocked == 9   ? Visibility::kNone
+         : num_blocked == 0 ? Visibility::kAll
+                            : Visibility::kPart;
 }
 
 Vector3f IrradianceFrom(const AreaLight& light, const RayScene& scene, const Vector3f& point,
@@ -123,7 +130,8 @@ Vector3f IrradianceFrom(const AreaLight& light, const RayScene& scene, const Vec
   if (front <= 0) return Vector3f::Zero();
   const Visibility visibility = ProbeLight(light, scene, point);
   if (visibility == Visibility::kNone) return Vector3f::Zero();
-  Vector3f sum(0, 0, 0);
+  std::array<Vector3f, kMaxStrata * kMaxStrata> targets, sent;
+  size_t n = 0;
   for (int i = 0; i < light.strata; ++i) {
     for (int j = 0; j < light.strata; ++j) {
       const Vector3f target = light.Point(i, j), offset = target - point;
@@ -133,9 +141,16 @@ Vector3f IrradianceFrom(const AreaLight& light, const RayScene& scene, const Vec
       if (cosine <= 0) continue;
       const Vector3f emitted = Emitted(light, direction);
       if (emitted.maxCoeff() <= 0) continue;
-      if (visibility == Visibility::kPart && scene.IsBlocked(point, target)) continue;
-      sum += emitted * (cosine / squared);
+      targets[n] = target;
+      sent[n++] = emitted * (cosine / squared);
     }
+  }
+  std::array<bool, kMaxStrata * kMaxStrata> is_blocked{};
+  if (visibility == Visibility::kPart)
+    scene.FindBlocked(point, std::span(targets).first(n), std::span(is_blocked).first(n));
+  Vector3f sum(0, 0, 0);
+  for (size_t k = 0; k < n; ++k) {
+    if (!is_blocked[k]) sum += sent[k];
   }
   return sum * (light.area / static_cast<float>(light.strata * light.strata));
 }
@@ -285,16 +300,6 @@ void FillGrid(const Surface& surface, std::vector<char> is_open, const F& irradi
 }
 
 }  // namespace
-
-Vector3f LightGrid::Sample(float u, float v) const {
-  const float x = std::clamp(u / cell.x() - 0.5f, 0.0f, static_cast<float>(cols - 1));
-  const float y = std::clamp(v / cell.y() - 0.5f, 0.0f, static_cast<float>(rows - 1));
-  const int c0 = static_cast<int>(x), r0 = static_cast<int>(y);
-  const int c1 = std::min(c0 + 1, cols - 1), r1 = std::min(r0 + 1, rows - 1);
-  const float a = x - static_cast<float>(c0), b = y - static_cast<float>(r0);
-  return (1 - b) * ((1 - a) * At(r0, c0) + a * At(r0, c1)) +
-         b * ((1 - a) * At(r1, c0) + a * At(r1, c1));
-}
 
 LightGrid MakeLightGrid(const Vector2f& extent, float max_cell_m) {
   LightGrid grid;

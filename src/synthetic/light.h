@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "enfilade/base/run_context.h"
@@ -29,7 +30,15 @@ struct LightGrid {
     return irradiance[Index(row, col)];
   }
   /// Bilinear, clamped at the border.
-  [[nodiscard]] Eigen::Vector3f Sample(float u, float v) const;
+  [[nodiscard]] Eigen::Vector3f Sample(float u, float v) const {
+    const float x = std::clamp(u / cell.x() - 0.5f, 0.0f, static_cast<float>(cols - 1));
+    const float y = std::clamp(v / cell.y() - 0.5f, 0.0f, static_cast<float>(rows - 1));
+    const int c0 = static_cast<int>(x), r0 = static_cast<int>(y);
+    const int c1 = std::min(c0 + 1, cols - 1), r1 = std::min(r0 + 1, rows - 1);
+    const float a = x - static_cast<float>(c0), b = y - static_cast<float>(r0);
+    return (1 - b) * ((1 - a) * At(r0, c0) + a * At(r0, c1)) +
+           b * ((1 - a) * At(r1, c0) + a * At(r1, c1));
+  }
 };
 
 /// A grid over [0, extent] with cells of at most `max_cell_m`, all zero.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "enfilade/geometry/triangle_tree.h"
@@ -26,10 +27,22 @@ class RayScene {
   [[nodiscard]] std::optional<RayHit> Trace(const Eigen::Vector3f& origin,
                                             const Eigen::Vector3f& direction) const;
 
+  /// Trace for many rays from one origin, hits[i] for directions[i]: faster where neighbours in the
+  /// list look nearly the same way.
+  void TraceFrom(const Eigen::Vector3f& origin, std::span<const Eigen::Vector3f> directions,
+                 std::span<std::optional<RayHit>> hits) const;
+
   /// Whether anything stands between the two points, ends left out.
   [[nodiscard]] bool IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
 
+  /// IsBlocked for many ends, is_blocked[i] for to[i].
+  void FindBlocked(const Eigen::Vector3f& from, std::span<const Eigen::Vector3f> to,
+                   std::span<bool> is_blocked) const;
+
  private:
+  [[nodiscard]] RayHit MakeHit(const TriangleHit& hit, const Eigen::Vector3f& origin,
+                               const Eigen::Vector3f& direction) const;
+
   const std::vector<Surface>& surfaces_;
   std::vector<int> surface_of_triangle_;
   TriangleTree tree_;

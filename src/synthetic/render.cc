@@ -36,6 +36,7 @@ struct LitHome {
   std::vector<Surface> surfaces;
   std::vector<GlassPane> panes;
   std::unique_ptr<RayScene> scene;
+  std::vector<LampShade> shades;
   BakedLight light;
   std::map<int, float> exposure_of_room;
 };
@@ -48,20 +49,27 @@ constexpr float kPi_f = static_cast<float>(kPi);
 constexpr double kPaneDepth = 0.6;   // share of the wall's thickness
 constexpr float kShadeGlow = 0.10f;  // lamps are this share of their radiance: what the shade shows
 
-// Light from a ray's first surface, mirror images left out.
+// Light from what a ray met, mirror images left out. There is no `hit` any more where a lamp stands
+// before it.
 Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
-                         std::optional<RayHit>* hit_out) {
-  const std::optional<RayHit> hit = lit.scene->Trace(origin, direction);
-  const std::optional<LampHit> shade = TraceLamps(lit.home, origin, direction);
-  if (shade && (!hit || shade->distance_m < hit->distance_m))
+                         std::optional<RayHit>& hit) {
+  const float hit_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
+  const std::optional<LampHit> shade = TraceLamps(lit.shades, origin, direction, hit_m);
+  if (shade) {
+    hit.reset();
     return kShadeGlow * shade->lamp->radiance;
+  }
   if (!hit) return SkyRadiance(direction);
-  if (hit_out != nullptr) *hit_out = hit;
   const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
   const Vector3f point = origin + hit->distance_m * direction;
   const Vector3f irradiance =
       lit.light.IrradianceAt(*hit) + SunIrradiance(lit.home, *lit.scene, point, surface.normal);
   return ReflectanceAt(surface, hit->u, hit->v).cwiseProduct(irradiance) / kPi_f;
+}
+
+Vector3f MirroredRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction) {
+  std::optional<RayHit> hit = lit.scene->Trace(origin, direction);
+  return DiffuseRadiance(lit, origin, direction, hit);
 }
 
 float Fresnel(float cosine) {
@@ -100,11 +108,10 @@ const GlassPane* PaneBefore(const std::vector<GlassPane>& panes, const Vector3f&
   return nearest;
 }
 
+// Light from what a ray met, without panes before it.
 Vector3f OpaqueRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
-                        float* distance_m) {
-  std::optional<RayHit> hit;
-  const Vector3f diffuse = DiffuseRadiance(lit, origin, direction, &hit);
-  *distance_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
+                        std::optional<RayHit>& hit) {
+  const Vector3f diffuse = DiffuseRadiance(lit, origin, direction, hit);
   if (!hit) return diffuse;
   const Surface& surface = lit.surfaces[static_cast<size_t>(hit->surface_idx)];
   const bool is_mirror = surface.finish == Finish::kMirror;
@@ -112,21 +119,23 @@ Vector3f OpaqueRadiance(const LitHome& lit, const Vector3f& origin, const Vector
   const float cosine = std::clamp(-surface.normal.dot(direction), 0.0f, 1.0f);
   const Vector3f mirrored = direction + 2 * cosine * surface.normal;
   const Vector3f start = origin + hit->distance_m * direction + 1e-3f * surface.normal;
-  const Vector3f image = DiffuseRadiance(lit, start, mirrored.normalized(), nullptr);
+  const Vector3f image = MirroredRadiance(lit, start, mirrored.normalized());
   const float weight = is_mirror ? kMirrorReflectance : surface.gloss * Fresnel(cosine);
   return (1 - weight) * diffuse + weight * image;
 }
 
-Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3f& direction) {
-  float far_m = 0, pane_m = 0;
-  const Vector3f behind = OpaqueRadiance(lit, origin, direction, &far_m);
+Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
+                       std::optional<RayHit> hit) {
+  const Vector3f behind = OpaqueRadiance(lit, origin, direction, hit);
+  const float far_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
+  float pane_m = 0;
   const GlassPane* pane = PaneBefore(lit.panes, origin, direction, far_m, pane_m);
   if (pane == nullptr) return behind;
   const float cosine = pane->normal.dot(direction);
   const Vector3f mirrored = direction - 2 * cosine * pane->normal;
   const Vector3f start = origin + pane_m * direction;
   const float weight = Fresnel(std::abs(cosine));
-  return (1 - weight) * behind + weight * DiffuseRadiance(lit, start, mirrored, nullptr);
+  return (1 - weight) * behind + weight * MirroredRadiance(lit, start, mirrored);
 }
 
 struct WallLight {
@@ -174,19 +183,27 @@ std::map<int, float> ChooseExposures(const std::vector<Surface>& surfaces,
 }
 
 // Compresses the highlights (Reinhard et al. 2002, eq. 4), then the sRGB curve; in [0, 255].
-float ToneMap(float radiance) {
+Vector3f ToneMap(const Vector3f& radiance) {
   constexpr float kWhite = 3.0f;
-  const float x = std::max(0.0f, radiance);
-  const float linear = std::min(1.0f, x * (1 + x / (kWhite * kWhite)) / (1 + x) * 1.12f);
-  const float srgb =
-      linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+  const Eigen::Array3f x = radiance.array().max(0.0f);
+  const Eigen::Array3f linear = (x * (1 + x / (kWhite * kWhite)) / (1 + x) * 1.12f).min(1.0f);
+  Vector3f srgb;
+  for (int k = 0; k < 3; ++k) {
+    srgb[k] = linear[k] <= 0.0031308f ? 12.92f * linear[k]
+                                      : 1.055f * std::pow(linear[k], 1 / 2.4f) - 0.055f;
+  }
   return 255 * srgb;
 }
 
-// Height of the stand's silhouette above the nadir, as a share of the rows: a disc with three legs.
-double StandShareAt(double stand_share, double column_share, double turn) {
-  const double leg = std::cos(3 * 2 * kPi * (column_share + turn));
-  return stand_share * (1 + 0.35 * std::pow(std::max(0.0, leg), 24));
+// Height of the stand's silhouette above the nadir in each column, as a share of the rows: a disc
+// with three legs.
+std::vector<double> StandShares(double stand_share, int num_columns, double turn) {
+  std::vector<double> shares;
+  for (int col = 0; col < num_columns; ++col) {
+    const double leg = std::cos(3 * 2 * kPi * ((col + 0.5) / num_columns + turn));
+    shares.push_back(stand_share * (1 + 0.35 * std::pow(std::max(0.0, leg), 24)));
+  }
+  return shares;
 }
 
 // Places in a pixel: the R2 sequence (Roberts 2018), moved so that its mean is the pixel's centre.
@@ -201,37 +218,76 @@ std::vector<Eigen::Vector2d> SampleOffsets(int num_samples) {
   return offsets;
 }
 
-struct PixelJob {
-  const LitHome& lit;
-  const Camera& camera;
-  Vector3f origin;
-  Eigen::Matrix3d home_from_cam;
-  Eigen::Matrix3d world_from_home;
-  double stand_turn;
-  float exposure;
-  std::vector<Eigen::Vector2d> offsets;
-
-  [[nodiscard]] Vector3f Direction(double x, double y) const {
-    return (home_from_cam * camera.RayFromPixel({x, y})).normalized().cast<float>();
+// The rays through a panorama's pixels: some samples a pixel, then its centre. A ray is the product
+// of what its row and its column say, so there are sines for each of these only.
+class PixelRays {
+ public:
+  PixelRays(const Camera& camera, const Eigen::Matrix3d& home_from_cam,
+            std::vector<Eigen::Vector2d> offsets)
+      : camera_(camera), down_(home_from_cam.col(1)), offsets_(std::move(offsets)) {
+    for (int col = 0; col < camera_.width; ++col) {
+      for (const Eigen::Vector2d& offset : offsets_) {
+        level_.push_back(home_from_cam *
+                         camera_.RayFromPixel({col + offset.x(), 0.5 * camera_.height}));
+      }
+    }
   }
+
+  [[nodiscard]] size_t num_per_pixel() const { return offsets_.size(); }
+
+  /// Unit directions in the home frame through a row's pixels, from left to right.
+  [[nodiscard]] std::vector<Vector3f> Row(int row) const {
+    std::vector<Vector3d> upright;  // in the plane of `down_` and the level ray
+    for (const Eigen::Vector2d& offset : offsets_)
+      upright.push_back(camera_.RayFromPixel({0.5 * camera_.width, row + offset.y()}));
+    std::vector<Vector3f> directions(level_.size());
+    for (size_t i = 0; i < level_.size(); i += upright.size()) {
+      for (size_t s = 0; s < upright.size(); ++s) {
+        directions[i + s] = (upright[s].z() * level_[i + s] + upright[s].y() * down_).cast<float>();
+      }
+    }
+    return directions;
+  }
+
+ private:
+  Camera camera_;
+  Vector3d down_;                         // of the camera
+  std::vector<Eigen::Vector2d> offsets_;  // in a pixel
+  std::vector<Vector3d> level_;           // rays at the horizon
 };
 
-void RenderColour(const PixelJob& job, int row, int col, ImageF& ideal) {
+struct PixelJob {
+  const LitHome& lit;
+  ImageSize size;
+  Vector3f origin;
+  Eigen::Matrix3d world_from_home;
+  std::vector<double> stand_shares;  // one a column
+  float exposure;
+  PixelRays rays;
+};
+
+// A pixel's rays and what they hit.
+struct Looks {
+  std::span<const Vector3f> directions;
+  std::span<const std::optional<RayHit>> hits;
+};
+
+void RenderColour(const PixelJob& job, const Looks& looks, float* rgb) {
+  const size_t num_samples = looks.hits.size() - 1;
   Vector3f sum(0, 0, 0);
-  for (const Eigen::Vector2d& offset : job.offsets) {
-    const Vector3f direction = job.Direction(col + offset.x(), row + offset.y());
-    const Vector3f radiance = RadianceAlong(job.lit, job.origin, direction);
-    for (int k = 0; k < 3; ++k) sum[k] += ToneMap(job.exposure * radiance[k]);
+  for (size_t s = 0; s < num_samples; ++s) {
+    sum += ToneMap(job.exposure *
+                   RadianceAlong(job.lit, job.origin, looks.directions[s], looks.hits[s]));
   }
-  for (int k = 0; k < 3; ++k) ideal(row, col, k) = sum[k] / static_cast<float>(job.offsets.size());
+  for (int k = 0; k < 3; ++k) rgb[k] = sum[k] / static_cast<float>(num_samples);
 }
 
-void RenderTruth(const PixelJob& job, int row, int col, RenderedPanorama& out) {
-  const Vector3f direction = job.Direction(col + 0.5, row + 0.5);
-  const std::optional<RayHit> hit = job.lit.scene->Trace(job.origin, direction);
-  const std::optional<LampHit> shade = TraceLamps(job.lit.home, job.origin, direction);
+void RenderTruth(const PixelJob& job, const Vector3f& direction, const std::optional<RayHit>& hit,
+                 int row, int col, RenderedPanorama& out) {
+  const float hit_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
+  const std::optional<LampHit> shade = TraceLamps(job.lit.shades, job.origin, direction, hit_m);
   Vector3d normal_in_home(0, 0, -1);
-  if (shade && (!hit || shade->distance_m < hit->distance_m)) {
+  if (shade) {
     out.range_m(row, col) = shade->distance_m;
     out.room_id(row, col) = static_cast<int16_t>(shade->lamp->room_id);
   } else if (hit) {
@@ -250,21 +306,31 @@ void RenderTruth(const PixelJob& job, int row, int col, RenderedPanorama& out) {
 
 // Lighter at the rim, darker towards the nadir.
 float StandGrey(const PixelJob& job, int row) {
-  const double depth = 1 - (row + 0.5) / job.camera.height;
+  const double depth = 1 - (row + 0.5) / job.size.height;
   const double share = depth / std::max(job.lit.options.stand_share, 1e-6);
   return static_cast<float>(18 + 26 * std::clamp(share, 0.0, 1.0));
 }
 
 void RenderRow(const PixelJob& job, int row, ImageF& ideal, RenderedPanorama& out) {
-  for (int col = 0; col < job.camera.width; ++col) {
-    const double stand_share =
-        StandShareAt(job.lit.options.stand_share, (col + 0.5) / job.camera.width, job.stand_turn);
-    if ((row + 0.5) / job.camera.height > 1 - stand_share) {
+  const double height_share = 1 - (row + 0.5) / job.size.height;
+  const bool is_all_stand = height_share < job.lit.options.stand_share;
+  const size_t n = job.rays.num_per_pixel();
+  std::vector<Vector3f> directions;
+  std::vector<std::optional<RayHit>> hits;
+  if (!is_all_stand) {
+    directions = job.rays.Row(row);
+    hits.resize(directions.size());
+    job.lit.scene->TraceFrom(job.origin, directions, hits);
+  }
+  for (int col = 0; col < job.size.width; ++col) {
+    if ((row + 0.5) / job.size.height > 1 - job.stand_shares[static_cast<size_t>(col)]) {
       std::fill_n(&ideal(row, col), 3, StandGrey(job, row));
-    } else {
-      RenderColour(job, row, col, ideal);
-      RenderTruth(job, row, col, out);
+      continue;
     }
+    const size_t first = n * static_cast<size_t>(col);
+    const Looks looks{std::span(directions).subspan(first, n), std::span(hits).subspan(first, n)};
+    RenderColour(job, looks, &ideal(row, col));
+    RenderTruth(job, looks.directions.back(), looks.hits.back(), row, col, out);
   }
 }
 
@@ -288,6 +354,7 @@ HomeRenderer::HomeRenderer(const Home& home, const RenderOptions& options, RunCo
   lit->surfaces = MakeSurfaces(home);
   lit->panes = CollectPanes(home);
   lit->scene = std::make_unique<RayScene>(lit->surfaces);
+  lit->shades = MakeLampShades(lit->home);
   lit->light = BakeLight(home, lit->surfaces, *lit->scene, lit->options, context);
   lit->exposure_of_room = ChooseExposures(lit->surfaces, lit->light);
   home_ = std::move(lit);
@@ -301,22 +368,24 @@ RenderedPanorama HomeRenderer::Render(int camera_idx, ImageSize size, RunContext
   ENFILADE_CHECK(size.height > 0 && size.width == 2 * size.height);
   const HomeCamera& home_camera = home.cameras[static_cast<size_t>(camera_idx)];
   const Rigid3& home_from_cam = home_camera.home_from_cam;
-  const Camera camera = EquirectangularCamera(size.width, size.height);
   const uint64_t seed = PartSeed(home.seed + 2, static_cast<uint64_t>(camera_idx));
-  const PixelJob job{.lit = *home_,
-                     .camera = camera,
-                     .origin = home_from_cam.translation.cast<float>(),
-                     .home_from_cam = home_from_cam.rotation,
-                     .world_from_home = home.home_from_world.rotation.transpose(),
-                     .stand_turn = Random(seed).Uniform(),
-                     .exposure = static_cast<float>(home_camera.exposure) *
-                                 home_->exposure_of_room.at(home_camera.room_id),
-                     .offsets = SampleOffsets(home_->options.samples_per_pixel)};
+  std::vector<Eigen::Vector2d> offsets = SampleOffsets(home_->options.samples_per_pixel);
+  offsets.emplace_back(0.5, 0.5);
+  const PixelJob job{
+      .lit = *home_,
+      .size = size,
+      .origin = home_from_cam.translation.cast<float>(),
+      .world_from_home = home.home_from_world.rotation.transpose(),
+      .stand_shares = StandShares(home_->options.stand_share, size.width, Random(seed).Uniform()),
+      .exposure = static_cast<float>(home_camera.exposure) *
+                  home_->exposure_of_room.at(home_camera.room_id),
+      .rays = PixelRays(EquirectangularCamera(size.width, size.height), home_from_cam.rotation,
+                        std::move(offsets))};
   RenderedPanorama out = BlankPanorama(size);
   ImageF ideal(size.height, size.width, 3);
   ParallelFor(context, "panorama", size.height,
               [&](int64_t row) { RenderRow(job, static_cast<int>(row), ideal, out); });
-  out.rgb = ExposeSensor(ideal, home_->options.blur_px, home_->options.noise, seed);
+  out.rgb = ExposeSensor(std::move(ideal), home_->options.blur_px, home_->options.noise, seed);
   return out;
 }
 

@@ -22,18 +22,25 @@ std::vector<float> GaussianKernel(double sigma) {
   return kernel;
 }
 
+void AddWeighted(const float* from, float weight, size_t count, float* to) {
+  for (size_t i = 0; i < count; ++i) to[i] += weight * from[i];
+}
+
 // One pass along rows (wrapping) or columns (clamped).
 ImageF Blur(const ImageF& image, const std::vector<float>& kernel, bool is_along_row) {
-  const int radius = static_cast<int>(kernel.size() / 2);
-  ImageF out(image.rows(), image.cols(), image.channels());
+  const int radius = static_cast<int>(kernel.size() / 2), cols = image.cols();
+  const size_t length = static_cast<size_t>(cols) * static_cast<size_t>(image.channels());
+  ImageF out(image.rows(), cols, image.channels());
   for (int r = 0; r < image.rows(); ++r) {
-    for (int c = 0; c < image.cols(); ++c) {
-      for (int k = -radius; k <= radius; ++k) {
-        const int row = is_along_row ? r : std::clamp(r + k, 0, image.rows() - 1);
-        const int col = is_along_row ? (c + k + radius * image.cols()) % image.cols() : c;
-        const float weight = kernel[static_cast<size_t>(k + radius)];
-        for (int i = 0; i < image.channels(); ++i) out(r, c, i) += weight * image(row, col, i);
+    for (int k = -radius; k <= radius; ++k) {
+      const float weight = kernel[static_cast<size_t>(k + radius)];
+      if (!is_along_row) {
+        AddWeighted(image.row(std::clamp(r + k, 0, image.rows() - 1)), weight, length, out.row(r));
+        continue;
       }
+      const size_t shift = static_cast<size_t>((k % cols + cols) % cols * image.channels());
+      AddWeighted(image.row(r) + shift, weight, length - shift, out.row(r));
+      AddWeighted(image.row(r), weight, shift, out.row(r) + length - shift);
     }
   }
   return out;
@@ -41,14 +48,15 @@ ImageF Blur(const ImageF& image, const std::vector<float>& kernel, bool is_along
 
 }  // namespace
 
-ImageU8 ExposeSensor(const ImageF& ideal, double blur_px, double noise, uint64_t seed) {
+ImageU8 ExposeSensor(ImageF ideal, double blur_px, double noise, uint64_t seed) {
   const std::vector<float> kernel = GaussianKernel(blur_px);
-  const ImageF blurred = Blur(Blur(ideal, kernel, true), kernel, false);
+  ideal = Blur(ideal, kernel, true);
+  ideal = Blur(ideal, kernel, false);
   Random random(seed);
   ImageU8 out(ideal.rows(), ideal.cols(), ideal.channels());
   for (size_t i = 0; i < out.data().size(); ++i) {
-    const double value = blurred.data()[i] + (noise > 0 ? noise * random.Normal() : 0.0);
-    out.data()[i] = static_cast<uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+    const double value = ideal.data()[i] + (noise > 0 ? noise * random.Normal() : 0.0);
+    out.data()[i] = static_cast<uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
   }
   return out;
 }

@@ -12,7 +12,6 @@ namespace enfilade {
 /// What a lens and a sensor make of an ideal equirectangular picture with values in [0, 255]: a
 /// Gaussian blur of `blur_px` (columns wrap round), Gaussian noise of `noise` grey levels,
 /// rounding.
-[[nodiscard]] ImageU8 ExposeSensor(const ImageF& ideal, double blur_px, double noise,
-                                   uint64_t seed);
+[[nodiscard]] ImageU8 ExposeSensor(ImageF ideal, double blur_px, double noise, uint64_t seed);
 
 }  // namespace enfilade

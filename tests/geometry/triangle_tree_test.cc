@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 
 namespace enfilade {
@@ -69,6 +70,40 @@ TEST(TriangleTree, AgreesWithItsBruteForceTwin) {
     EXPECT_FALSE(tree.IsHit(origin, direction, 0, found->distance - 0.01f));
   }
   EXPECT_GT(num_hits, 200);
+}
+
+TEST(TriangleTree, ManyRaysGiveWhatEachGives) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> place(-2, 2);
+  const auto point = [&] { return Vector3f(place(random), place(random), place(random)); };
+  std::vector<Vector3f> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < 40; ++i) {
+    for (int k = 0; k < 3; ++k) vertices.push_back(point());
+    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const TriangleTree tree(vertices, triangles);
+  for (const size_t num_rays : {1, 2, 3, 4, 5, 203}) {
+    const Vector3f origin = point();
+    std::vector<Vector3f> directions(num_rays);
+    std::vector<float> far(num_rays);
+    for (size_t i = 0; i < num_rays; ++i) {
+      directions[i] = point().normalized();
+      far[i] = place(random) + 1;  // some lie before `near`
+    }
+    std::vector<std::optional<TriangleHit>> hits(num_rays);
+    tree.FirstHits(origin, directions, 0.1f, 3, hits);
+    const auto are_hit = std::make_unique<bool[]>(num_rays);
+    tree.AreHit(origin, directions, 0.1f, far, {are_hit.get(), num_rays});
+    for (size_t i = 0; i < num_rays; ++i) {
+      const auto expected = tree.FirstHit(origin, directions[i], 0.1f, 3);
+      ASSERT_EQ(hits[i].has_value(), expected.has_value());
+      EXPECT_EQ(are_hit[i], tree.IsHit(origin, directions[i], 0.1f, far[i]));
+      if (!expected) continue;
+      EXPECT_EQ(hits[i]->triangle_idx, expected->triangle_idx);
+      EXPECT_FLOAT_EQ(hits[i]->distance, expected->distance);
+    }
+  }
 }
 
 TEST(TriangleTree, OfNothingIsNeverHit) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace enfilade {
@@ -33,9 +34,18 @@ class TriangleTree {
                                                     const Eigen::Vector3f& direction, float near,
                                                     float far) const;
 
+  /// FirstHit for many rays from one origin, hits[i] for directions[i]: faster where neighbours in
+  /// the list look nearly the same way. On an edge that two triangles share it may name the other.
+  void FirstHits(const Eigen::Vector3f& origin, std::span<const Eigen::Vector3f> directions,
+                 float near, float far, std::span<std::optional<TriangleHit>> hits) const;
+
   /// Whether there is any: faster than FirstHit.
   [[nodiscard]] bool IsHit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                            float near, float far) const;
+
+  /// IsHit for many rays from one origin, are_hit[i] for directions[i] up to far[i].
+  void AreHit(const Eigen::Vector3f& origin, std::span<const Eigen::Vector3f> directions,
+              float near, std::span<const float> far, std::span<bool> are_hit) const;
 
  private:
   struct Impl;
