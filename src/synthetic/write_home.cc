@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/synthetic/write_home.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -22,6 +24,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+constexpr int kMaxWidth = 16384;
+
+// Memory that rendering a panorama of this width takes: colour before and after the lens' blur in
+// floats, the picture, its truth and, measured, 90 MB besides.
+double PictureMemoryMb(int width) {
+  constexpr double kBytesPerPixel = 2 * 3 * sizeof(float) + 3 + 21, kBase_mb = 90;
+  return kBase_mb + 1e-6 * kBytesPerPixel * 0.5 * width * width;
+}
 
 // OpenGL cameras look along −z with y up: half a turn about x.
 Json TransformMatrix(const Rigid3& world_from_cam) {
@@ -100,6 +111,19 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
   }
   if (options.width < 64) {
     throw InvalidInputError("width", "is too small", "give 64 pixels or more");
+  }
+  const double need_mb = PictureMemoryMb(options.width);
+  if (options.width > kMaxWidth) {
+    throw InvalidInputError(
+        "width",
+        fmt::format("{} pixels would take {:.0f} GB of memory", options.width, need_mb / 1000),
+        fmt::format("give {} or less", kMaxWidth));
+  }
+  if (context.max_memory_mb() > 0 && need_mb > context.max_memory_mb()) {
+    throw InvalidInputError("--max-memory",
+                            fmt::format("{} MB are too few: pictures {} pixels wide take {:.0f} MB",
+                                        context.max_memory_mb(), options.width, need_mb),
+                            "allow more, or give a smaller width");
   }
   const ImageSize size{options.width, options.width / 2};
   CreateFolder(folder / "truth");  // first: it marks what may be replaced, even if this is killed

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/synthetic/write_home.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -133,6 +134,16 @@ TEST(WriteHome, RefusesBadOptionsAndPlaces) {
   EXPECT_THROW(WriteHome(folder.path(), SmallHome(), options, context), InvalidInputError);
   options.width = 8;
   EXPECT_THROW(WriteHome(folder.path(), SmallHome(), options, context), InvalidInputError);
+  options.width = 100000;
+  try {
+    WriteHome(folder.path(), SmallHome(), options, context);
+    FAIL() << "took 100000 pixels";
+  } catch (const InvalidInputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("100000 pixels would take 240 GB of memory"));
+  }
+  RunContext capped(1, 0, 1000);
+  options.width = 8192;  // 1.7 GB
+  EXPECT_THROW(WriteHome(folder.path(), SmallHome(), options, capped), InvalidInputError);
   WriteFileAtomic(folder / "file", "x");
   EXPECT_THROW(WriteHome(folder / "file", SmallHome(), Quick(), context), IoError);
 }

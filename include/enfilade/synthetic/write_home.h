@@ -19,9 +19,9 @@ struct WriteHomeOptions {
 
   void Visit(OptionVisitor& v) {
     v("width", width,
-      "Width of the panoramas in pixels, even; their height is half of it. 0: usual for the "
-      "preset.",
-      {0, 16384});
+      "Width of the panoramas in pixels, even, 64 to 16384; their height is half of it. 0: usual "
+      "for the preset.",
+      {0, 1000000});
     v("jpeg_quality", jpeg_quality, "Quality of the pictures.", {1, 100});
     v("has_pixel_truth", has_pixel_truth,
       "Also write depth, normals, labels, rooms and walls per pixel below truth/.");
@@ -45,7 +45,8 @@ struct WriteHomeOptions {
 ///
 /// A home that is there is replaced: transforms.json goes first and comes last, so a folder that
 /// has it is whole. Same home and options, same bytes. Throws InvalidInputError for options out of
-/// range and IoError.
+/// range and for pictures that take more memory than the context's cap (24 bytes a pixel for the
+/// colours and as much for the picture and its truth), and IoError.
 void WriteHome(const std::filesystem::path& folder, const Home& home,
                const WriteHomeOptions& options, RunContext& context);
 
