@@ -40,7 +40,9 @@ Action SetupSynth(CLI::App& parser) {
     arguments->options.Apply(VisitorOf(options));
     Session session(arguments->common);
     const Home home = SynthesiseHome(arguments->output, options, session.context());
-    std::printf("%zu panoramas of %zu rooms in %s\n", home.cameras.size(), home.rooms.size(),
+    const bool is_panorama = options.pictures.kind == PictureKind::kEquirectangular;
+    std::printf("%zu %s of %zu rooms in %s\n", home.cameras.size(),
+                is_panorama ? "panoramas" : "views all round", home.rooms.size(),
                 PrintablePath(arguments->output).c_str());
     return kExitOk;
   };

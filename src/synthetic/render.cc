@@ -3,6 +3,7 @@
 #include "enfilade/synthetic/render.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -218,13 +219,14 @@ std::vector<Eigen::Vector2d> SampleOffsets(int num_samples) {
   return offsets;
 }
 
-// The rays through a panorama's pixels: some samples a pixel, then its centre. A ray is the product
-// of what its row and its column say, so there are sines for each of these only.
+// The rays through a picture's pixels: some samples a pixel, then its centre. A panorama's ray is
+// the product of what its row and its column say, so there are sines for each of these only.
 class PixelRays {
  public:
   PixelRays(const Camera& camera, const Eigen::Matrix3d& home_from_cam,
             std::vector<Eigen::Vector2d> offsets)
-      : camera_(camera), down_(home_from_cam.col(1)), offsets_(std::move(offsets)) {
+      : camera_(camera), home_from_cam_(home_from_cam), offsets_(std::move(offsets)) {
+    if (camera_.model == CameraModel::kPinhole) return;
     for (int col = 0; col < camera_.width; ++col) {
       for (const Eigen::Vector2d& offset : offsets_) {
         level_.push_back(home_from_cam *
@@ -237,23 +239,39 @@ class PixelRays {
 
   /// Unit directions in the home frame through a row's pixels, from left to right.
   [[nodiscard]] std::vector<Vector3f> Row(int row) const {
-    std::vector<Vector3d> upright;  // in the plane of `down_` and the level ray
-    for (const Eigen::Vector2d& offset : offsets_)
-      upright.push_back(camera_.RayFromPixel({0.5 * camera_.width, row + offset.y()}));
-    std::vector<Vector3f> directions(level_.size());
-    for (size_t i = 0; i < level_.size(); i += upright.size()) {
-      for (size_t s = 0; s < upright.size(); ++s) {
-        directions[i + s] = (upright[s].z() * level_[i + s] + upright[s].y() * down_).cast<float>();
+    return camera_.model == CameraModel::kPinhole ? PinholeRow(row) : PanoramaRow(row);
+  }
+
+ private:
+  [[nodiscard]] std::vector<Vector3f> PinholeRow(int row) const {
+    std::vector<Vector3f> directions;
+    for (int col = 0; col < camera_.width; ++col) {
+      for (const Eigen::Vector2d& offset : offsets_) {
+        const Vector3d ray = camera_.RayFromPixel({col + offset.x(), row + offset.y()});
+        directions.push_back((home_from_cam_ * ray).cast<float>());
       }
     }
     return directions;
   }
 
- private:
+  [[nodiscard]] std::vector<Vector3f> PanoramaRow(int row) const {
+    const Vector3d down = home_from_cam_.col(1);
+    std::vector<Vector3d> upright;  // in the plane of `down` and the level ray
+    for (const Eigen::Vector2d& offset : offsets_)
+      upright.push_back(camera_.RayFromPixel({0.5 * camera_.width, row + offset.y()}));
+    std::vector<Vector3f> directions(level_.size());
+    for (size_t i = 0; i < level_.size(); i += upright.size()) {
+      for (size_t s = 0; s < upright.size(); ++s) {
+        directions[i + s] = (upright[s].z() * level_[i + s] + upright[s].y() * down).cast<float>();
+      }
+    }
+    return directions;
+  }
+
   Camera camera_;
-  Vector3d down_;                         // of the camera
+  Eigen::Matrix3d home_from_cam_;
   std::vector<Eigen::Vector2d> offsets_;  // in a pixel
-  std::vector<Vector3d> level_;           // rays at the horizon
+  std::vector<Vector3d> level_;           // rays at the horizon; panoramas only
 };
 
 struct PixelJob {
@@ -261,6 +279,7 @@ struct PixelJob {
   ImageSize size;
   Vector3f origin;
   Eigen::Matrix3d world_from_home;
+  double stand_share;                // of the rows
   std::vector<double> stand_shares;  // one a column
   float exposure;
   PixelRays rays;
@@ -307,13 +326,13 @@ void RenderTruth(const PixelJob& job, const Vector3f& direction, const std::opti
 // Lighter at the rim, darker towards the nadir.
 float StandGrey(const PixelJob& job, int row) {
   const double depth = 1 - (row + 0.5) / job.size.height;
-  const double share = depth / std::max(job.lit.options.stand_share, 1e-6);
+  const double share = depth / std::max(job.stand_share, 1e-6);
   return static_cast<float>(18 + 26 * std::clamp(share, 0.0, 1.0));
 }
 
 void RenderRow(const PixelJob& job, int row, ImageF& ideal, RenderedPanorama& out) {
   const double height_share = 1 - (row + 0.5) / job.size.height;
-  const bool is_all_stand = height_share < job.lit.options.stand_share;
+  const bool is_all_stand = height_share < job.stand_share;
   const size_t n = job.rays.num_per_pixel();
   std::vector<Vector3f> directions;
   std::vector<std::optional<RayHit>> hits;
@@ -363,29 +382,50 @@ HomeRenderer::HomeRenderer(const Home& home, const RenderOptions& options, RunCo
 HomeRenderer::~HomeRenderer() = default;
 
 RenderedPanorama HomeRenderer::Render(int camera_idx, ImageSize size, RunContext& context) const {
+  ENFILADE_CHECK(size.height > 0 && size.width == 2 * size.height);
+  const uint64_t seed = PartSeed(home_->home.seed + 2, static_cast<uint64_t>(camera_idx));
+  return RenderPicture(camera_idx, EquirectangularCamera(size.width, size.height),
+                       Eigen::Matrix3d::Identity(), seed, context);
+}
+
+RenderedPanorama HomeRenderer::RenderView(int camera_idx, const Camera& view,
+                                          const Eigen::Matrix3d& pano_from_view,
+                                          RunContext& context) const {
+  ENFILADE_CHECK(view.model == CameraModel::kPinhole);
+  uint64_t seed = PartSeed(home_->home.seed + 3, static_cast<uint64_t>(camera_idx));
+  for (const double entry : pano_from_view.reshaped())
+    seed = PartSeed(seed, std::bit_cast<uint64_t>(entry));
+  return RenderPicture(camera_idx, view, pano_from_view, seed, context);
+}
+
+RenderedPanorama HomeRenderer::RenderPicture(int camera_idx, const Camera& camera,
+                                             const Eigen::Matrix3d& pano_from_cam, uint64_t seed,
+                                             RunContext& context) const {
   const Home& home = home_->home;
   ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(home.cameras.size()));
-  ENFILADE_CHECK(size.height > 0 && size.width == 2 * size.height);
   const HomeCamera& home_camera = home.cameras[static_cast<size_t>(camera_idx)];
-  const Rigid3& home_from_cam = home_camera.home_from_cam;
-  const uint64_t seed = PartSeed(home.seed + 2, static_cast<uint64_t>(camera_idx));
+  const Rigid3& home_from_pano = home_camera.home_from_cam;
+  const bool is_panorama = camera.model == CameraModel::kEquirectangular;
+  const double stand_share = is_panorama ? home_->options.stand_share : 0;
   std::vector<Eigen::Vector2d> offsets = SampleOffsets(home_->options.samples_per_pixel);
   offsets.emplace_back(0.5, 0.5);
+  const ImageSize size{camera.width, camera.height};
   const PixelJob job{
       .lit = *home_,
       .size = size,
-      .origin = home_from_cam.translation.cast<float>(),
+      .origin = home_from_pano.translation.cast<float>(),
       .world_from_home = home.home_from_world.rotation.transpose(),
-      .stand_shares = StandShares(home_->options.stand_share, size.width, Random(seed).Uniform()),
+      .stand_share = stand_share,
+      .stand_shares = StandShares(stand_share, size.width, Random(seed).Uniform()),
       .exposure = static_cast<float>(home_camera.exposure) *
                   home_->exposure_of_room.at(home_camera.room_id),
-      .rays = PixelRays(EquirectangularCamera(size.width, size.height), home_from_cam.rotation,
-                        std::move(offsets))};
+      .rays = PixelRays(camera, home_from_pano.rotation * pano_from_cam, std::move(offsets))};
   RenderedPanorama out = BlankPanorama(size);
   ImageF ideal(size.height, size.width, 3);
-  ParallelFor(context, "panorama", size.height,
+  ParallelFor(context, is_panorama ? "panorama" : "view", size.height,
               [&](int64_t row) { RenderRow(job, static_cast<int>(row), ideal, out); });
-  out.rgb = ExposeSensor(std::move(ideal), home_->options.blur_px, home_->options.noise, seed);
+  out.rgb = ExposeSensor(std::move(ideal), home_->options.blur_px, home_->options.noise,
+                         is_panorama, seed);
   return out;
 }
 

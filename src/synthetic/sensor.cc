@@ -26,21 +26,33 @@ void AddWeighted(const float* from, float weight, size_t count, float* to) {
   for (size_t i = 0; i < count; ++i) to[i] += weight * from[i];
 }
 
-// One pass along rows (wrapping) or columns (clamped).
-ImageF Blur(const ImageF& image, const std::vector<float>& kernel, bool is_along_row) {
-  const int radius = static_cast<int>(kernel.size() / 2), cols = image.cols();
-  const size_t length = static_cast<size_t>(cols) * static_cast<size_t>(image.channels());
-  ImageF out(image.rows(), cols, image.channels());
+ImageF BlurColumns(const ImageF& image, const std::vector<float>& kernel) {
+  const int radius = static_cast<int>(kernel.size() / 2);
+  const size_t length = static_cast<size_t>(image.cols()) * static_cast<size_t>(image.channels());
+  ImageF out(image.rows(), image.cols(), image.channels());
   for (int r = 0; r < image.rows(); ++r) {
     for (int k = -radius; k <= radius; ++k) {
-      const float weight = kernel[static_cast<size_t>(k + radius)];
-      if (!is_along_row) {
-        AddWeighted(image.row(std::clamp(r + k, 0, image.rows() - 1)), weight, length, out.row(r));
-        continue;
-      }
-      const size_t shift = static_cast<size_t>((k % cols + cols) % cols * image.channels());
-      AddWeighted(image.row(r) + shift, weight, length - shift, out.row(r));
-      AddWeighted(image.row(r), weight, shift, out.row(r) + length - shift);
+      const int from = std::clamp(r + k, 0, image.rows() - 1);
+      AddWeighted(image.row(from), kernel[static_cast<size_t>(k + radius)], length, out.row(r));
+    }
+  }
+  return out;
+}
+
+ImageF BlurRows(const ImageF& image, const std::vector<float>& kernel, bool wraps) {
+  const int radius = static_cast<int>(kernel.size() / 2), cols = image.cols();
+  const auto channels = static_cast<size_t>(image.channels());
+  ImageF out(image.rows(), cols, image.channels());
+  std::vector<float> row(static_cast<size_t>(cols + 2 * radius) * channels);  // with its borders
+  for (int r = 0; r < image.rows(); ++r) {
+    for (int c = -radius; c < cols + radius; ++c) {
+      const int from = wraps ? (c % cols + cols) % cols : std::clamp(c, 0, cols - 1);
+      std::copy_n(image.row(r) + static_cast<size_t>(from) * channels, channels,
+                  row.begin() + static_cast<int64_t>(static_cast<size_t>(c + radius) * channels));
+    }
+    for (size_t k = 0; k < kernel.size(); ++k) {
+      AddWeighted(row.data() + k * channels, kernel[k], static_cast<size_t>(cols) * channels,
+                  out.row(r));
     }
   }
   return out;
@@ -48,10 +60,10 @@ ImageF Blur(const ImageF& image, const std::vector<float>& kernel, bool is_along
 
 }  // namespace
 
-ImageU8 ExposeSensor(ImageF ideal, double blur_px, double noise, uint64_t seed) {
+ImageU8 ExposeSensor(ImageF ideal, double blur_px, double noise, bool wraps, uint64_t seed) {
   const std::vector<float> kernel = GaussianKernel(blur_px);
-  ideal = Blur(ideal, kernel, true);
-  ideal = Blur(ideal, kernel, false);
+  ideal = BlurRows(ideal, kernel, wraps);
+  ideal = BlurColumns(ideal, kernel);
   Random random(seed);
   ImageU8 out(ideal.rows(), ideal.cols(), ideal.channels());
   for (size_t i = 0; i < out.data().size(); ++i) {

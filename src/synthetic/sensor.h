@@ -9,9 +9,10 @@
 
 namespace enfilade {
 
-/// What a lens and a sensor make of an ideal equirectangular picture with values in [0, 255]: a
-/// Gaussian blur of `blur_px` (columns wrap round), Gaussian noise of `noise` grey levels,
-/// rounding.
-[[nodiscard]] ImageU8 ExposeSensor(ImageF ideal, double blur_px, double noise, uint64_t seed);
+/// What a lens and a sensor make of an ideal picture with values in [0, 255]: a Gaussian blur of
+/// `blur_px` (`wraps`: the columns wrap round, as in a panorama), Gaussian noise of `noise` grey
+/// levels, rounding.
+[[nodiscard]] ImageU8 ExposeSensor(ImageF ideal, double blur_px, double noise, bool wraps,
+                                   uint64_t seed);
 
 }  // namespace enfilade

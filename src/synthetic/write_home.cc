@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
@@ -16,7 +18,9 @@
 #include "enfilade/base/json.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/npy.h"
+#include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/scene/camera.h"
 #include "enfilade/synthetic/truth.h"
 
 namespace enfilade {
@@ -48,19 +52,60 @@ Json TransformMatrix(const Rigid3& world_from_cam) {
   return rows;
 }
 
-Json Transforms(const Home& home, ImageSize size) {
-  Json frames = Json::array();
-  for (size_t i = 0; i < home.cameras.size(); ++i) {
-    frames.push_back(
-        {{"file_path", "panos/" + home.cameras[i].picture},
-         {"transform_matrix", TransformMatrix(home.ClaimedWorldFromCamera(static_cast<int>(i)))}});
+// A picture to be made.
+struct Picture {
+  std::string name;
+  int camera_idx = 0;
+  Camera camera;
+  Eigen::Matrix3d pano_from_cam = Eigen::Matrix3d::Identity();
+};
+
+std::vector<Picture> ListPictures(const Home& home, const WriteHomeOptions& options) {
+  constexpr int kViewsPerPlace = 8;
+  const int side = options.width / 4;  // of a view of 90°
+  std::vector<Picture> pictures;
+  for (int i = 0; i < static_cast<int>(home.cameras.size()); ++i) {
+    const std::string& name = home.cameras[static_cast<size_t>(i)].picture;
+    if (options.kind == PictureKind::kEquirectangular) {
+      pictures.push_back({name, i, EquirectangularCamera(options.width, options.width / 2)});
+      continue;
+    }
+    for (int k = 0; k < kViewsPerPlace; ++k) {
+      // About the camera's y axis, which points down: to the right.
+      const Eigen::AngleAxisd turn(2 * kPi * k / kViewsPerPlace, Eigen::Vector3d::UnitY());
+      pictures.push_back({fs::path(name).stem().native() + "_" + std::to_string(k) + ".jpg", i,
+                          PinholeCamera(side, side, 0.5 * side, 0.5 * side, 0.5 * side, 0.5 * side),
+                          turn.toRotationMatrix()});
+    }
   }
-  return {{"camera_model", "EQUIRECTANGULAR"},
-          {"w", size.width},
-          {"h", size.height},
-          {"up_axis", "z"},
-          {"units", "m"},
-          {"frames", frames}};
+  return pictures;
+}
+
+Rigid3 PoseOf(const Picture& picture, const Rigid3& world_from_pano) {
+  return world_from_pano * Rigid3{picture.pano_from_cam, Eigen::Vector3d::Zero()};
+}
+
+Json Transforms(const Home& home, const std::vector<Picture>& pictures) {
+  Json frames = Json::array();
+  for (const Picture& picture : pictures) {
+    const Rigid3 pose = PoseOf(picture, home.ClaimedWorldFromCamera(picture.camera_idx));
+    frames.push_back(
+        {{"file_path", "panos/" + picture.name}, {"transform_matrix", TransformMatrix(pose)}});
+  }
+  Json json = {{"up_axis", "z"}, {"units", "m"}, {"frames", frames}};
+  if (pictures.empty()) return json;
+  const Camera& camera = pictures[0].camera;
+  json["w"] = camera.width;
+  json["h"] = camera.height;
+  json["camera_model"] = "EQUIRECTANGULAR";
+  if (camera.model == CameraModel::kPinhole) {
+    json["camera_model"] = "PINHOLE";
+    json["fl_x"] = camera.fx;
+    json["fl_y"] = camera.fy;
+    json["cx"] = camera.cx;
+    json["cy"] = camera.cy;
+  }
+  return json;
 }
 
 void RemoveFile(const fs::path& path) {
@@ -70,10 +115,10 @@ void RemoveFile(const fs::path& path) {
 }
 
 // Takes away what an earlier home left: poses first, then pictures that this home lacks.
-void RemoveOldHome(const fs::path& folder, const Home& home) {
+void RemoveOldHome(const fs::path& folder, const std::vector<Picture>& pictures) {
   RemoveFile(folder / "transforms.json");
   std::set<std::string> kept;
-  for (const HomeCamera& camera : home.cameras) kept.insert(camera.picture);
+  for (const Picture& picture : pictures) kept.insert(picture.name);
   std::vector<fs::path> old;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "panos")) {
     const std::string name = entry.path().filename().native();
@@ -91,6 +136,14 @@ Image<int8_t> QuantizeNormals(const ImageF& normal) {
   return out;
 }
 
+RenderedPanorama RenderPicture(const HomeRenderer& renderer, const Picture& picture,
+                               RunContext& context) {
+  const Camera& camera = picture.camera;
+  return camera.model == CameraModel::kPinhole
+             ? renderer.RenderView(picture.camera_idx, camera, picture.pano_from_cam, context)
+             : renderer.Render(picture.camera_idx, {camera.width, camera.height}, context);
+}
+
 void WritePixelTruth(const fs::path& folder, const std::string& stem,
                      const RenderedPanorama& panorama) {
   WriteNpy(folder / "depth" / (stem + ".npy"), panorama.range_m);
@@ -101,6 +154,11 @@ void WritePixelTruth(const fs::path& folder, const std::string& stem,
 }
 
 }  // namespace
+
+std::span<const std::string_view> EnumNames(PictureKind) {
+  static constexpr std::array<std::string_view, 2> kNames = {"equirectangular", "perspective"};
+  return kNames;
+}
 
 void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions& options,
                RunContext& context) {
@@ -125,24 +183,28 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
                                         context.max_memory_mb(), options.width, need_mb),
                             "allow more, or give a smaller width");
   }
-  const ImageSize size{options.width, options.width / 2};
+  const std::vector<Picture> pictures = ListPictures(home, options);
   CreateFolder(folder / "truth");  // first: it marks what may be replaced, even if this is killed
   CreateFolder(folder / "panos");
-  RemoveOldHome(folder, home);
+  RemoveOldHome(folder, pictures);
 
   const HomeRenderer renderer(home, options.render, context);
   Floorplan truth = TruthFloorplan(home);
-  for (size_t i = 0; i < home.cameras.size(); ++i) {
-    const RenderedPanorama panorama = renderer.Render(static_cast<int>(i), size, context);
-    const std::string jpeg = EncodeImage(panorama.rgb, ".jpg", options.jpeg_quality);
-    WriteFileAtomic(folder / "panos" / home.cameras[i].picture, jpeg);
-    truth.cameras[i].sha256 = Sha256(jpeg);
-    if (!options.has_pixel_truth) continue;
-    const std::string stem = fs::path(home.cameras[i].picture).stem().native();
-    WritePixelTruth(folder / "truth", stem, panorama);
+  truth.cameras.clear();
+  for (const Picture& picture : pictures) {
+    const RenderedPanorama rendered = RenderPicture(renderer, picture, context);
+    const std::string jpeg = EncodeImage(rendered.rgb, ".jpg", options.jpeg_quality);
+    WriteFileAtomic(folder / "panos" / picture.name, jpeg);
+    PlanCamera camera;
+    camera.picture = picture.name;
+    camera.sha256 = Sha256(jpeg);
+    camera.world_from_cam = PoseOf(picture, home.WorldFromCamera(picture.camera_idx));
+    truth.cameras.push_back(camera);
+    if (options.has_pixel_truth)
+      WritePixelTruth(folder / "truth", fs::path(picture.name).stem().native(), rendered);
   }
   WriteFloorplanJson(folder / "truth" / "floorplan.json", truth, {{"synthetic_seed", home.seed}});
-  WriteJsonFile(folder / "transforms.json", Transforms(home, size));
+  WriteJsonFile(folder / "transforms.json", Transforms(home, pictures));
 }
 
 }  // namespace enfilade

@@ -164,5 +164,21 @@ TEST_F(Run, JsonLogHasOneObjectALine) {
   EXPECT_GE(num_lines, 6u);
 }
 
+TEST(Sfm, TakesPerspectiveViews) {
+  const TempFolder folder;
+  const ProgramResult made =
+      RunProgram({"synth", "-o", folder / "home", "--preset", "room", "--width", "256",
+                  "--pictures.kind", "perspective", "--pictures.render.light_cell_m", "0.3",
+                  "--pictures.render.gather_rays", "16"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const ProgramResult read = RunProgram({"sfm", folder / "home", "-o", folder / "out"});
+  ASSERT_EQ(read.exit_code, 0) << read.err;
+  const nlohmann::json scene = ReadJsonFile(folder / "out/scene.json");
+  ASSERT_GE(scene.at("views").size(), 8u);
+  EXPECT_EQ(scene.at("views").size() % 8, 0u);
+  for (const nlohmann::json& view : scene.at("views"))
+    EXPECT_EQ(view.at("camera").at("model"), "pinhole");
+}
+
 }  // namespace
 }  // namespace enfilade

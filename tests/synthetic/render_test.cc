@@ -10,6 +10,7 @@
 #include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/scene/camera.h"
+#include "enfilade/scene/virtual_view.h"
 #include "enfilade/synthetic/text_home.h"
 #include "enfilade/synthetic/truth.h"
 
@@ -330,6 +331,48 @@ TEST(Render, StandCoversTheBottomAndHasNoTruth) {
       EXPECT_EQ(out.room_id(row, col), -1);
     }
     EXPECT_GT(out.range_m(112, col), 0);
+  }
+}
+
+// Pinhole views show what a virtual view of the panorama shows.
+TEST(Render, ViewsAgreeWithThePanorama) {
+  const Home home = TextHome(
+      "room 0,0 4,0 4,3 0,3 | room 4.1,0 8,0 8,3 4.1,3 | door 4,1 4,1.8 | window 1,0 2,0 | "
+      "box 2.5,2 3.5,2.8 height 0.8 | camera 1,1.4");
+  RenderOptions options = Quick();
+  options.samples_per_pixel = 4;
+  options.noise = options.blur_px = options.stand_share = 0;
+  RunContext context;
+  const HomeRenderer renderer(home, options, context);
+  constexpr ImageSize kLarge{1024, 512};
+  const RenderedPanorama panorama = renderer.Render(0, kLarge, context);
+  const Camera pano_camera = EquirectangularCamera(kLarge.width, kLarge.height);
+  const Camera camera = PinholeCamera(120, 80, 100, 100, 55, 42);
+  for (const double yaw : {0.3, 2.5}) {
+    const Eigen::Matrix3d pano_from_view =
+        (Eigen::AngleAxisd(yaw, Vector3d::UnitY()) * Eigen::AngleAxisd(0.2, Vector3d::UnitX()))
+            .toRotationMatrix();
+    const RenderedPanorama view = renderer.RenderView(0, camera, pano_from_view, context);
+    ASSERT_EQ(view.rgb.rows(), 80);
+    ASSERT_EQ(view.label.cols(), 120);
+    const ImageU8 expected = RenderVirtualView(panorama.rgb, pano_camera, camera, pano_from_view);
+    double difference = 0;
+    for (size_t i = 0; i < expected.data().size(); ++i)
+      difference += std::abs(expected.data()[i] - view.rgb.data()[i]);
+    EXPECT_LT(difference / static_cast<double>(expected.data().size()), 3);
+    int num_different = 0;
+    for (int row = 0; row < 80; ++row) {
+      for (int col = 0; col < 120; ++col) {
+        const Vector3d ray = pano_from_view * camera.RayFromPixel({col + 0.5, row + 0.5});
+        const Vector2d pixel = pano_camera.PixelFromRay(ray).value();
+        const int r = static_cast<int>(pixel.y()), c = static_cast<int>(pixel.x());
+        num_different += panorama.label(r, c) != view.label(row, col) ||
+                                 std::abs(panorama.range_m(r, c) - view.range_m(row, col)) > 0.1
+                             ? 1
+                             : 0;
+      }
+    }
+    EXPECT_LT(num_different, 0.03 * 80 * 120);  // at edges
   }
 }
 

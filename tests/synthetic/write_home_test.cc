@@ -11,6 +11,7 @@
 #include "enfilade/base/file.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/scene_reader.h"
+#include "enfilade/geometry/angles.h"
 #include "enfilade/synthetic/text_home.h"
 #include "enfilade/synthetic/truth.h"
 #include "tests/support/temp_folder.h"
@@ -85,6 +86,36 @@ TEST(WriteHome, PoseFileHasTheClaimsAndTheTruthHasThePoses) {
       home.home_from_world.rotation *
       (view.world_from_cam.translation - truth.cameras[1].world_from_cam.translation);
   EXPECT_LT((error - Eigen::Vector3d(0.05, 0, 0)).norm(), 1e-5);
+}
+
+TEST(WriteHome, ReadersTakePerspectiveViews) {
+  const TempFolder folder;
+  const Home home = SmallHome();
+  RunContext context;
+  WriteHomeOptions options = Quick();
+  WriteHome(folder.path(), home, options, context);
+  options.kind = PictureKind::kPerspective;
+  options.width = 256;
+  WriteHome(folder.path(), home, options, context);
+  EXPECT_FALSE(fs::exists(folder / "panos/pano_000.jpg"));
+
+  const SceneReadReport report = ReadScene(folder.path(), {}, context);
+  EXPECT_TRUE(report.warnings.empty());
+  ASSERT_EQ(report.scene.views.size(), 24u);
+  for (const View& view : report.scene.views) {
+    EXPECT_EQ(view.camera.model, CameraModel::kPinhole);
+    EXPECT_EQ(view.camera.width, 64);
+    EXPECT_EQ(view.camera.height, 64);
+    EXPECT_NEAR(view.camera.fx, 32, 1e-9);                          // 90°
+    const auto place = static_cast<size_t>(view.picture[7] - '0');  // pano_00N_k.jpg
+    const int k = view.picture[9] - '0';
+    const Rigid3 pano = home.WorldFromCamera(static_cast<int>(place));
+    EXPECT_TRUE(view.world_from_cam.translation.isApprox(pano.translation, 1e-9));
+    // The views turn clockwise, seen from above, in steps of 45°.
+    const Eigen::Vector3d forward = RotationZ(-kPi / 4 * k) * pano.rotation.col(2);
+    EXPECT_TRUE(view.world_from_cam.rotation.col(2).isApprox(forward, 1e-9)) << view.picture;
+  }
+  EXPECT_EQ(ReadFloorplanJson(folder / "truth/floorplan.json").cameras.size(), 24u);
 }
 
 TEST(WriteHome, PixelTruthIsWrittenOnRequestOnly) {

@@ -11,6 +11,7 @@
 #include "enfilade/exchange/pixel_truth.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/image/image.h"
+#include "enfilade/scene/camera.h"
 #include "enfilade/synthetic/home.h"
 
 namespace enfilade {
@@ -39,7 +40,7 @@ struct RenderOptions {
   }
 };
 
-/// A panorama and the truth about each pixel's centre. Where the camera's stand or the sky shows,
+/// A picture and the truth about each pixel's centre. Where the camera's stand or the sky shows,
 /// range is 0, the normal zero, the label kOther and the ids −1.
 struct RenderedPanorama {
   ImageU8 rgb;             ///< rows × cols × 3, sRGB
@@ -52,7 +53,7 @@ struct RenderedPanorama {
 
 struct LitHome;  // surfaces, tree and light: private to the renderer
 
-/// Renders a home's panoramas: light is worked out once, then reused by every picture.
+/// Renders pictures of a home: light is worked out once, then reused by every picture.
 ///
 /// Lamps and the sky in the windows light the surfaces directly with soft shadows; the reflected
 /// light is collected over the hemisphere on a coarse grid per surface, bounce by bounce (final
@@ -73,7 +74,18 @@ class HomeRenderer {
   /// twice size.height.
   [[nodiscard]] RenderedPanorama Render(int camera_idx, ImageSize size, RunContext& context) const;
 
+  /// What the pinhole camera `view` sees from there, turned as in scene/virtual_view.h, without the
+  /// stand. `range_m` is along the ray. Views that differ in `pano_from_view` differ in their
+  /// sensor's noise.
+  [[nodiscard]] RenderedPanorama RenderView(int camera_idx, const Camera& view,
+                                            const Eigen::Matrix3d& pano_from_view,
+                                            RunContext& context) const;
+
  private:
+  RenderedPanorama RenderPicture(int camera_idx, const Camera& camera,
+                                 const Eigen::Matrix3d& pano_from_cam, uint64_t seed,
+                                 RunContext& context) const;
+
   std::unique_ptr<const LitHome> home_;
 };
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string_view>
 
 #include "enfilade/base/options.h"
 #include "enfilade/base/run_context.h"
@@ -11,13 +13,22 @@
 
 namespace enfilade {
 
+/// What is seen from each camera: one panorama, or eight overlapping pinhole views round it.
+enum class PictureKind { kEquirectangular, kPerspective };
+[[nodiscard]] std::span<const std::string_view> EnumNames(PictureKind);
+
 struct WriteHomeOptions {
+  PictureKind kind = PictureKind::kEquirectangular;
   int width = 1024;
   int jpeg_quality = 92;
   bool has_pixel_truth = false;
   RenderOptions render;
 
   void Visit(OptionVisitor& v) {
+    v("kind", kind,
+      "equirectangular: panoramas; perspective: eight level views of 90° from each place, a "
+      "quarter "
+      "as wide as its panorama would be.");
     v("width", width,
       "Width of the panoramas in pixels, even, 64 to 16384; their height is half of it. 0: usual "
       "for the preset.",
@@ -31,9 +42,9 @@ struct WriteHomeOptions {
 
 /// Renders a home and writes it as a folder that `enfilade run` and `enfilade evaluate` take:
 ///
-///   panos/pano_000.jpg …     the pictures
-///   transforms.json          their poses: Nerfstudio form, EQUIRECTANGULAR, camera to world, z up,
-///                            OpenGL camera axes (x right, y up, z backwards)
+///   panos/pano_000.jpg …     the pictures; perspective views are pano_000_0.jpg … pano_000_7.jpg
+///   transforms.json          their poses: Nerfstudio form, EQUIRECTANGULAR or PINHOLE, camera to
+///                            world, z up, OpenGL camera axes (x right, y up, z backwards)
 ///   truth/floorplan.json     the true plan (docs/formats.md), with pictures' hashes
 ///
 /// and with `has_pixel_truth`, one file a panorama, rows from top to bottom, in NumPy's format:
