@@ -19,6 +19,12 @@ namespace {
 constexpr double kMaxElevation_rad = DegToRad(82);
 // Gaussian under which derivatives are taken, pixels.
 constexpr double kDerivativeSigma_px = 0.8;
+// The two sides of an edge differ; those of a joint between tiles do not. Gaussian and distance
+// from the edge at which they are compared, pixels.
+constexpr double kStepSigma_px = 1.2;
+constexpr int kStepReach_px = 4;
+// A gradient counts up to so many times the difference of the sides.
+constexpr float kStepShare = 2.0F;
 // Pixels that a derivative looks at on either side.
 constexpr int kDerivativeReach_px = 4;
 // Half size of the box over which the local mean of the gradients is taken, as a share of the rows.
@@ -48,7 +54,8 @@ void ToOpponent(const uint8_t* rgb, float* opponent) {
   opponent[2] = 0.25F * (red + green) - 0.5F * blue;
 }
 
-Gradients ComputeGradients(const LevelPanorama& panorama) {
+// Differences over `step` pixels either way of what a Gaussian has smoothed.
+Gradients ComputeGradients(const LevelPanorama& panorama, double sigma_px, int step) {
   const int rows = panorama.rows(), cols = panorama.cols();
   constexpr int kPad = 8;  // wraps round in azimuth
   cv::Mat opponent(rows, cols + 2 * kPad, CV_32FC3);
@@ -58,22 +65,22 @@ Gradients ComputeGradients(const LevelPanorama& panorama) {
       ToOpponent(panorama.rgb.row(r) + 3 * ((c + cols) % cols), out);
     }
   }
-  cv::GaussianBlur(opponent, opponent, {0, 0}, kDerivativeSigma_px);
+  cv::GaussianBlur(opponent, opponent, {0, 0}, sigma_px);
   const ImageU8 seen = SeenWithMargin(panorama, kDerivativeReach_px);
   Gradients gradients{
       rows, cols,
       std::vector<GradientPixel>(static_cast<size_t>(rows) * static_cast<size_t>(cols))};
-  for (int r = 1; r + 1 < rows; ++r) {
+  for (int r = step; r + step < rows; ++r) {
     const float* here = opponent.ptr<float>(r) + 3 * kPad;
-    const float* above = opponent.ptr<float>(r - 1) + 3 * kPad;
-    const float* below = opponent.ptr<float>(r + 1) + 3 * kPad;
+    const float* above = opponent.ptr<float>(r - step) + 3 * kPad;
+    const float* below = opponent.ptr<float>(r + step) + 3 * kPad;
     GradientPixel* out =
         gradients.pixels.data() + static_cast<size_t>(r) * static_cast<size_t>(cols);
     for (int c = 0; c < cols; ++c, ++out) {
       if (!seen(r, c)) continue;  // the border of the unseen part is no line
       for (int k = 0; k < kNumChannels; ++k) {
-        (*out)[static_cast<size_t>(2 * k)] =
-            static_cast<int16_t>(kGradientScale * (here[3 * (c + 1) + k] - here[3 * (c - 1) + k]));
+        (*out)[static_cast<size_t>(2 * k)] = static_cast<int16_t>(
+            kGradientScale * (here[3 * (c + step) + k] - here[3 * (c - step) + k]));
         (*out)[static_cast<size_t>(2 * k + 1)] =
             static_cast<int16_t>(kGradientScale * (below[3 * c + k] - above[3 * c + k]));
       }
@@ -151,7 +158,8 @@ LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
   ENFILADE_CHECK(num_columns > 0 && cols % num_columns == 0);
   ENFILADE_CHECK(options.half_length_px <= kMaxHalfLength_px);
   const int step = cols / num_columns;
-  const Gradients gradients = ComputeGradients(panorama);
+  const Gradients gradients = ComputeGradients(panorama, kDerivativeSigma_px, 1);
+  const Gradients steps = ComputeGradients(panorama, kStepSigma_px, kStepReach_px);
   LineResponse response{std::vector<ImageU8>(kNumFamilies)};
   for (const int family : families) {
     std::vector<double> sin_off, cos_off;
@@ -169,8 +177,10 @@ LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
         const Eigen::Vector2d along =
             LineDirection(sin_off[static_cast<size_t>(c)], cos_off[static_cast<size_t>(c)],
                           sin_elevation, cos_elevation);
-        strength(r, c) =
-            AverageAcross(gradients, r, c * step + step / 2, along, options.half_length_px);
+        const int col = c * step + step / 2;
+        const float fine = AverageAcross(gradients, r, col, along, options.half_length_px);
+        const float coarse = AverageAcross(steps, r, col, along, options.half_length_px);
+        strength(r, c) = std::min(fine, kStepShare * coarse);
       }
     }
     response.family[static_cast<size_t>(family)] = Normalise(strength, options);

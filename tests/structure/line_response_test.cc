@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/structure/types.h"
@@ -136,6 +137,26 @@ TEST(ComputeLineResponse, BorderOfTheUnseenIsNoLine) {
     for (int c = 0; c < kColumns; ++c) {
       for (int r = 0; r < kRows; ++r) ASSERT_EQ(picture(r, c), 0) << r << ", " << c;
     }
+  }
+}
+
+TEST(ComputeLineResponse, AJointBetweenTilesIsNoEdge) {
+  // Level rings in noise: a step of 24 grey levels, and a line of one pixel on its brighter side
+  // that is as much darker.
+  constexpr int kStepRow = 150, kJointRow = 190;
+  std::mt19937 random(7);
+  LevelPanorama panorama{kCamera, ImageU8(kRows, kWidth, 3, 140), ImageU8(kRows, kWidth, 1, 1)};
+  for (int r = 0; r < kRows; ++r) {
+    for (int c = 0; c < kWidth; ++c) {
+      const int grey =
+          (r < kStepRow || r == kJointRow ? 140 : 164) + static_cast<int>(random() % 9);
+      for (int k = 0; k < 3; ++k) panorama.rgb(r, c, k) = static_cast<uint8_t>(grey);
+    }
+  }
+  const ImageU8 picture = Respond(panorama).family[kFrontalFamily];
+  for (int c = 0; c < kColumns; c += 16) {
+    EXPECT_GT(std::max(picture(kStepRow - 1, c), picture(kStepRow, c)), 180);
+    EXPECT_LT(picture(kJointRow, c), 100);
   }
 }
 
