@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "enfilade/base/errors.h"
@@ -80,11 +81,15 @@ TEST(WriteHome, PoseFileHasTheClaimsAndTheTruthHasThePoses) {
   home.cameras[1].claimed_home_from_cam = claimed;
   RunContext context;
   WriteHome(folder.path(), home, Quick(), context);
-  const View& view = ReadScene(folder.path(), {}, context).scene.views[1];
+  const Scene scene = ReadScene(folder.path(), {}, context).scene;
+  const auto view = std::find_if(scene.views.begin(), scene.views.end(), [&](const View& v) {
+    return v.picture == home.cameras[1].picture;
+  });
+  ASSERT_NE(view, scene.views.end());
   const Floorplan truth = ReadFloorplanJson(folder / "truth/floorplan.json");
   const Eigen::Vector3d error =
       home.home_from_world.rotation *
-      (view.world_from_cam.translation - truth.cameras[1].world_from_cam.translation);
+      (view->world_from_cam.translation - truth.cameras[1].world_from_cam.translation);
   EXPECT_LT((error - Eigen::Vector3d(0.05, 0, 0)).norm(), 1e-5);
 }
 

@@ -20,11 +20,11 @@ struct PointNoise {
   int min_views = 2;
   double min_angle_deg = 10;     ///< between two of a point's views
   double max_range_m = 10;       ///< of cameras from the place
-  double match_sigma_deg = 2.8;  ///< error between two cameras: of the match and of their poses
+  double match_sigma_deg = 3.4;  ///< error between two cameras: of the match and of their poses
   double ray_sigma_deg = 0.1;    ///< error of the direction in which the nearest camera sees it
   double normal_sigma_deg = 8;   ///< of a normal about each of two axes
-  double outlier_share = 0.22;   ///< points that lie anywhere along the ray
-  double clump_share = 0.11;     ///< points that float in clumps before the surface
+  double outlier_share = 0.24;   ///< points that lie anywhere along the ray
+  double clump_share = 0.12;     ///< points that float in clumps before the surface
   double clump_radius_m = 0.1;   ///< standard deviation of a clump about its centre
   int points_per_clump = 40;
   double hole_share = 0.15;  ///< share of the surface in round holes without points
