@@ -48,7 +48,7 @@ TEST(CommandLine, EvaluateRefusesOptionsThatWouldChangeNothing) {
     more.insert(more.begin(), {"evaluate", "/nowhere"});
     return RunProgram(more);
   };
-  ExpectRefusal(evaluate({"--batch", "homes.json", "--ablation"}), "--batch");
+  ExpectRefusal(evaluate({"--batch", "homes.json", "--ablation"}), "--ablation requires --truth");
   ExpectRefusal(evaluate({"--truth", "t", "--structure.use_floor", "false"}),
                 "--structure.use_floor: has no effect");
   ExpectRefusal(evaluate({"--truth", "t", "--config", "c.json"}), "--config: has no effect");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "enfilade/geometry/angles.h"
 #include "enfilade/synthetic/text_home.h"
 
 namespace enfilade {
@@ -75,9 +76,9 @@ TEST(CastPlanRay, ObstaclesAreFurnitureOnTheFloorAndOpenLeaves) {
 TEST(HiddenFloorLineShare, IsWhatStandsBeforeTheWallsFoot) {
   const std::string room = "room 0,0 4,0 4,4 0,4 | camera 2,2";
   EXPECT_EQ(HiddenFloorLineShare(TextHome(room)), 0);
-  // A box along a whole wall hides a quarter of all directions; a low one only what it covers.
-  EXPECT_NEAR(HiddenFloorLineShare(TextHome(room + " | box 3.2,0.01 3.98,3.99 height 1.2")), 0.25,
-              0.02);
+  // A box along a whole wall hides it, and what of the side walls lies beside it.
+  EXPECT_NEAR(HiddenFloorLineShare(TextHome(room + " | box 3.2,0.01 3.98,3.99 height 1.2")),
+              2 * std::atan2(2, 1.2) / (2 * kPi), 0.01);
   EXPECT_EQ(HiddenFloorLineShare(TextHome(room + " | box 2.6,1.9 2.7,2.1 height 0.3")), 0);
 }
 
