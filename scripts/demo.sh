@@ -15,7 +15,7 @@ cmake --preset release
 cmake --build --preset release --target enfilade
 enfilade=build/release/bin/enfilade
 
-"$enfilade" synth -o "$folder/home"
+"$enfilade" synth --home.rooms 3 -o "$folder/home"
 "$enfilade" run "$folder/home" -o "$folder/result"
 "$enfilade" evaluate "$folder/result" --truth "$folder/home"
 

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
 #include "src/synthetic/cameras.h"
 #include "src/synthetic/free_walls.h"
@@ -27,9 +29,12 @@ using Eigen::Vector3f;
 // Parts of a home whose numbers come from streams of their own.
 enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms };
 
-std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, uint64_t seed, Random& random) {
-  Random count(PartSeed(seed, static_cast<uint64_t>(SeedPart::kRoomCount)));
-  const int num_rooms = recipe.min_rooms + count.Index(recipe.max_rooms - recipe.min_rooms + 1);
+std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, const HomeOptions& options,
+                                     Random& random) {
+  Random count(
+      PartSeed(static_cast<uint64_t>(options.seed), static_cast<uint64_t>(SeedPart::kRoomCount)));
+  const int drawn = recipe.min_rooms + count.Index(recipe.max_rooms - recipe.min_rooms + 1);
+  const int num_rooms = options.rooms > 0 ? options.rooms : drawn;
   return recipe.layout == LayoutKind::kHall ? MakeHallLayout(num_rooms, random)
                                             : MakeRoomLayout(num_rooms, random);
 }
@@ -187,7 +192,7 @@ std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
   const HomeRecipe recipe = RecipeFor(options.preset);
   Home home;
   home.seed = static_cast<uint64_t>(options.seed);
-  const std::optional<RoomLayout> layout = MakeLayout(recipe, home.seed, random);
+  const std::optional<RoomLayout> layout = MakeLayout(recipe, options, random);
   if (!layout) return std::nullopt;
   AddRooms(home, *layout, random);
   FitOutRooms(home, *layout, random);
@@ -261,6 +266,13 @@ Rigid3 Home::ClaimedWorldFromCamera(int camera_idx) const {
 Home MakeHome(const HomeOptions& options) {
   HomeOptions checked = options;
   ValidateOptions(VisitorOf(checked), "synthetic home");
+  const HomeRecipe recipe = RecipeFor(options.preset);
+  if (options.rooms != 0 &&
+      (options.rooms < recipe.min_rooms || options.rooms > recipe.max_rooms)) {
+    throw InvalidInputError("rooms", "is " + std::to_string(options.rooms),
+                            "homes of this preset have " + std::to_string(recipe.min_rooms) +
+                                " to " + std::to_string(recipe.max_rooms));
+  }
   constexpr uint64_t kAttempts = 200;
   for (uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
     Random random(PartSeed(static_cast<uint64_t>(options.seed), attempt));

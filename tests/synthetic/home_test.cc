@@ -337,6 +337,15 @@ TEST(MakeHome, FurnitureShareZeroLeavesRoomsEmpty) {
   EXPECT_THAT(MakeHome(options).boxes, IsEmpty());
 }
 
+TEST(MakeHome, HasTheRoomsThatAreAskedFor) {
+  HomeOptions options;
+  for (options.rooms = 3; options.rooms <= 5; ++options.rooms)
+    EXPECT_EQ(static_cast<int>(MakeHome(options).rooms.size()), options.rooms);
+  EXPECT_THROW((void)MakeHome(options), InvalidInputError);  // a flat of six
+  options.preset = HomePreset::kTour;
+  EXPECT_EQ(MakeHome(options).rooms.size(), 6u);
+}
+
 TEST(MakeHome, RefusesOptionsOutOfRange) {
   HomeOptions options;
   options.furniture = 1.5;

@@ -27,6 +27,7 @@ enum class HomePreset { kRoom, kFlat, kTour, kFurnished, kWalk, kHard };
 struct HomeOptions {
   int seed = 1;
   HomePreset preset = HomePreset::kFlat;
+  int rooms = 0;
   double furniture = 0.5;
 
   void Visit(OptionVisitor& v) {
@@ -35,6 +36,7 @@ struct HomeOptions {
       "room: one room; flat: three to five rooms joined by doors; tour: 5 to 8 rooms as an agent "
       "photographs them; furnished: a flat whose furniture hides 40 % of the floor line; walk: a "
       "flat along a dense path; hard: open plan, glass, mirrors, tilt, pillars, niches.");
+    v("rooms", rooms, "Number of rooms, within what the preset allows; 0: drawn.", {0, 1000});
     v("furniture", furniture, "Share of the furniture that a room can take, 0 for empty rooms.",
       {0.0, 1.0});
   }
@@ -150,15 +152,24 @@ struct Home {
 };
 
 /// A home that depends on the options alone. Guarantees: HomeProblems(result) is empty; the heading
-/// is at least 3° off the world's axes; flats have three rooms joined by passable doors (one
-/// without leaf, one with an open leaf) and at least one closed door; every room has a lamp and one
-/// or two cameras at 1.3–1.6 m (±1 cm), 1.3 m² of free floor round each.
+/// is at least 3° off the world's axes; all rooms are joined by passable doors or openings; every
+/// room has a lamp. By preset:
+///
+/// Rooms are rectangles or L-shapes with one or two cameras at 1.3–1.6 m (±1 cm). Flats have three
+/// to five of them, a door without leaf, one with an open leaf and a closed one.
 ///
 /// Tours have 5–8 rooms, a hall and, from six rooms on, one or two closets among them (rectangles,
 /// L, T and U shapes), walls of different thickness, one or two rooms with a bay or an outer wall
-/// off the axes, doors that are open, ajar and closed, a mirror or a window down to 0.35 m above
-/// the floor, furniture in half of the rooms, and 8–12 cameras: one or more in every room that is
-/// no closet.
+/// off the axes, two with a niche or chimney breast, doors that are open, ajar and closed, a mirror
+/// or a window down to 0.35 m above the floor, a fitted kitchen and bath, loose furniture in half
+/// of the rooms, a sloped ceiling in some homes, and 8–12 cameras: one or more in every room that
+/// is no closet. Claimed poses are a little off, and nobody has measured the cameras' tilt.
+///
+/// Furnished homes are flats in which furniture hides 40 % or more of the floor line
+/// (HiddenFloorLineShare). Walks are flats with a camera at every 0.4–0.5 m of a path through all
+/// rooms. Hard homes are tours of six rooms or more with open plan, a glass wall and a glazed door,
+/// two mirrors, a pillar, a curved wall, cabinets up to the ceiling, loops of rooms, furniture in
+/// all rooms, cameras that lean by up to 2° and exposures that differ by up to 1.4 stops.
 ///
 /// Throws InvalidInputError for options out of range.
 [[nodiscard]] Home MakeHome(const HomeOptions& options);
