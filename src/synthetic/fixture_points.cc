@@ -301,7 +301,7 @@ void MakeClumps(const VisibleHome& home, const PointNoise& noise, std::vector<Sc
   Vector3d center(0, 0, 0);
   for (size_t k = 0; k < moved.size(); ++k) {
     if (k % static_cast<size_t>(noise.points_per_clump) == 0) {
-      seen = &before[static_cast<size_t>(random.Index(static_cast<int>(before.size())))];
+      seen = &random.Pick(before);
       const Vector3d camera = home.cameras[static_cast<size_t>(seen->view_idx[0])].cast<double>();
       center = camera + random.Uniform() * (seen->position - camera);
     }

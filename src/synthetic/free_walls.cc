@@ -16,15 +16,6 @@ using Eigen::Vector2d;
 
 constexpr int kTries = 40;
 
-const SharedWall& PickFrom(const std::vector<SharedWall>& stretches, Random& random) {
-  return stretches[static_cast<size_t>(random.Index(static_cast<int>(stretches.size())))];
-}
-
-HomeRoom& RoomOf(Home& home, const SharedWall& stretch) {
-  return *std::find_if(home.rooms.begin(), home.rooms.end(),
-                       [&](const HomeRoom& room) { return room.id == stretch.wall.room_id; });
-}
-
 Ring2::iterator CornerAt(Ring2& ring, const Vector2d& p) {
   return std::find(ring.begin(), ring.end(), p);
 }
@@ -38,7 +29,7 @@ bool AddBay(Home& home, const SharedWall& stretch, Random& random) {
   const Vector2d along = stretch.wall.Along(), out = -stretch.wall.Inward();
   const Vector2d begin = stretch.wall.a + (stretch.begin_m + 0.5 * (length_m - width_m)) * along;
   const Vector2d end = begin + width_m * along;
-  Ring2& ring = RoomOf(home, stretch).polygon.outer;
+  Ring2& ring = RoomOf(home, stretch.wall).polygon.outer;
   ring.insert(CornerAt(ring, stretch.wall.a) + 1,
               {begin, begin + depth_m * (along + out), end + depth_m * (out - along), end});
   return true;
@@ -61,7 +52,7 @@ bool AddBow(Home& home, const SharedWall& stretch, Random& random) {
     arc.push_back(middle + radius_m * std::sin(turn) * along +
                   (depth_m - radius_m + radius_m * std::cos(turn)) * out);
   }
-  Ring2& ring = RoomOf(home, stretch).polygon.outer;
+  Ring2& ring = RoomOf(home, stretch.wall).polygon.outer;
   ring.insert(CornerAt(ring, stretch.wall.a) + 1, arc.begin(), arc.end());
   return true;
 }
@@ -74,7 +65,7 @@ bool TurnWall(Home& home, const std::vector<SharedWall>& stretches, const Shared
   const double length_m = (wall.b - wall.a).norm();
   const double turn_rad = random.Uniform(DegToRad(4), DegToRad(15));
   if (stretch.begin_m > 0.02 || stretch.end_m < length_m - 0.02 || length_m < 1.5) return false;
-  Ring2& ring = RoomOf(home, stretch).polygon.outer;
+  Ring2& ring = RoomOf(home, stretch.wall).polygon.outer;
   const auto corner = CornerAt(ring, wall.a);
   const Vector2d before = corner == ring.begin() ? ring.back() : *(corner - 1);
   const Vector2d outwards = (wall.a - before).normalized();
@@ -99,9 +90,9 @@ bool AddFreeWalls(Home& home, Random& random) {
   for (int tries = 0; tries < kTries && static_cast<int>(changed.size()) < wanted; ++tries) {
     const std::vector<SharedWall> stretches = OuterStretches(home);
     if (stretches.empty()) return false;
-    const SharedWall& stretch = PickFrom(stretches, random);
+    const SharedWall& stretch = random.Pick(stretches);
     if (changed.count(stretch.wall.room_id) > 0) continue;
-    if (RoomOf(home, stretch).use == RoomUse::kCloset) continue;
+    if (RoomOf(home, stretch.wall).use == RoomUse::kCloset) continue;
     const bool is_bay = random.Chance(0.5);
     if (is_bay ? AddBay(home, stretch, random) : TurnWall(home, stretches, stretch, random))
       changed.insert(stretch.wall.room_id);
@@ -113,7 +104,7 @@ bool AddCurvedWall(Home& home, Random& random) {
   for (int tries = 0; tries < kTries; ++tries) {
     const std::vector<SharedWall> stretches = OuterStretches(home);
     if (stretches.empty()) return false;
-    if (AddBow(home, PickFrom(stretches, random), random)) return true;
+    if (AddBow(home, random.Pick(stretches), random)) return true;
   }
   return false;
 }

@@ -132,8 +132,7 @@ void ShapeCeilings(Home& home, const HomeRecipe& recipe, Random& random) {
     if (random.Chance(recipe.plain_ceilings)) room.ceiling_rgb = room.wall_rgb;
   }
   if (!random.Chance(recipe.slope_chance)) return;
-  HomeRoom& room =
-      home.rooms[static_cast<size_t>(random.Index(static_cast<int>(home.rooms.size())))];
+  HomeRoom& room = random.Pick(home.rooms);
   if (room.use == RoomUse::kHall || room.use == RoomUse::kCloset) return;
   room.crown_m = 0;
   room.ceiling_z = room.floor_z + random.Millimetres(2.25, 2.4);
@@ -188,8 +187,8 @@ bool PlaceAllCameras(Home& home, const HomeRecipe& recipe, Random& random) {
   return PlaceWalkCameras(home, random);
 }
 
-std::optional<Home> TryMakeHome(const HomeOptions& options, Random& random) {
-  const HomeRecipe recipe = RecipeFor(options.preset);
+std::optional<Home> TryMakeHome(const HomeRecipe& recipe, const HomeOptions& options,
+                                Random& random) {
   Home home;
   home.seed = static_cast<uint64_t>(options.seed);
   const std::optional<RoomLayout> layout = MakeLayout(recipe, options, random);
@@ -276,7 +275,7 @@ Home MakeHome(const HomeOptions& options) {
   constexpr uint64_t kAttempts = 200;
   for (uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
     Random random(PartSeed(static_cast<uint64_t>(options.seed), attempt));
-    const std::optional<Home> home = TryMakeHome(options, random);
+    const std::optional<Home> home = TryMakeHome(recipe, options, random);
     if (home && HomeProblems(*home).empty()) return *home;
   }
   ENFILADE_CHECK_MSG(false, "no valid home for seed " + std::to_string(options.seed));

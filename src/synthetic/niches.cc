@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "src/synthetic/openings.h"
@@ -19,16 +18,11 @@ constexpr double kToCorner_m = 0.35;
 constexpr double kFreeBefore_m = 1.6;  // floor that a chimney breast leaves before it
 constexpr double kPillarGap_m = 1.0;
 
-HomeRoom& RoomOf(Home& home, int room_id) {
-  return *std::find_if(home.rooms.begin(), home.rooms.end(),
-                       [&](const HomeRoom& room) { return room.id == room_id; });
-}
-
 // Puts two corners `depth_m` to the right of the wall (negative: into the room) between two on it.
 void InsertStep(Home& home, const HomeWall& wall, double begin_m, double end_m, double depth_m) {
   const Vector2d out = -wall.Inward();
   const Vector2d begin = wall.a + begin_m * wall.Along(), end = wall.a + end_m * wall.Along();
-  Ring2& ring = RoomOf(home, wall.room_id).polygon.outer;
+  Ring2& ring = RoomOf(home, wall).polygon.outer;
   ring.insert(std::find(ring.begin(), ring.end(), wall.a) + 1,
               {begin, begin + depth_m * out, end + depth_m * out, end});
 }
@@ -44,12 +38,11 @@ bool DrawSpan(double from_m, double to_m, double width_m, Random& random, double
 bool AddNiche(Home& home, const std::set<int>& taken, Random& random, int& room_id) {
   const std::vector<SharedWall> stretches = OuterStretches(home);
   if (stretches.empty()) return false;
-  const SharedWall& stretch =
-      stretches[static_cast<size_t>(random.Index(static_cast<int>(stretches.size())))];
+  const SharedWall& stretch = random.Pick(stretches);
   room_id = stretch.wall.room_id;
   const double width_m = random.Millimetres(0.8, 1.8);
   double begin_m = 0;
-  if (taken.count(room_id) > 0 || RoomOf(home, room_id).use == RoomUse::kCloset ||
+  if (taken.count(room_id) > 0 || RoomOf(home, stretch.wall).use == RoomUse::kCloset ||
       !DrawSpan(stretch.begin_m, stretch.end_m, width_m, random, begin_m)) {
     return false;
   }
@@ -59,9 +52,9 @@ bool AddNiche(Home& home, const std::set<int>& taken, Random& random, int& room_
 
 bool AddChimneyBreast(Home& home, const std::set<int>& taken, Random& random, int& room_id) {
   const std::vector<HomeWall> walls = HomeWalls(home);
-  const HomeWall& wall = walls[static_cast<size_t>(random.Index(static_cast<int>(walls.size())))];
+  const HomeWall& wall = random.Pick(walls);
   room_id = wall.room_id;
-  const HomeRoom& room = RoomOf(home, room_id);
+  const HomeRoom& room = RoomOf(home, wall);
   const double width_m = random.Millimetres(0.9, 1.5), depth_m = random.Millimetres(0.25, 0.45);
   double begin_m = 0;
   // Another wall must keep its length for the doors: only long ones are broken.

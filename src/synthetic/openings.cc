@@ -121,7 +121,7 @@ HomeOpening* RandomWindow(Home& home, Random& random) {
     if (opening.kind == OpeningKind::kWindow && !opening.other_room_id) windows.push_back(&opening);
   }
   if (windows.empty()) return nullptr;
-  return windows[static_cast<size_t>(random.Index(static_cast<int>(windows.size())))];
+  return random.Pick(windows);
 }
 
 // A free part of the wall between two rooms that are no closets.
@@ -140,8 +140,7 @@ std::optional<WallSpan> FindSpan(const Home& home, double max_thickness_m, doubl
            home.RoomById(s.other_room_id).use == RoomUse::kCloset;
   });
   for (int tries = 0; tries < kTries && !shared.empty(); ++tries) {
-    const SharedWall& s =
-        shared[static_cast<size_t>(random.Index(static_cast<int>(shared.size())))];
+    const SharedWall& s = random.Pick(shared);
     const double free_m = s.end_m - s.begin_m - 2 * kCornerGap_m;
     const double width_m = random.Millimetres(min_width_m, std::min(free_m, max_width_m));
     const double begin_m = s.begin_m + kCornerGap_m + random.Millimetres(0, free_m - width_m);
@@ -163,6 +162,11 @@ bool AddEntrance(Home& home, Random& random) {
 }
 
 }  // namespace
+
+HomeRoom& RoomOf(Home& home, const HomeWall& wall) {
+  return *std::find_if(home.rooms.begin(), home.rooms.end(),
+                       [&](const HomeRoom& room) { return room.id == wall.room_id; });
+}
 
 std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m,
                                         double min_length_m) {

@@ -15,6 +15,9 @@ struct SharedWall {
   double thickness_m = 0;
 };
 
+/// The room whose face the wall is, to be changed.
+[[nodiscard]] HomeRoom& RoomOf(Home& home, const HomeWall& wall);
+
 /// Stretches at least `min_length_m` long where parallel faces of two different rooms are at most
 /// `max_thickness_m` apart; each pair of faces once, first room with the smaller id.
 [[nodiscard]] std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m,

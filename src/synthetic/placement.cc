@@ -83,7 +83,7 @@ Stand RandomStand(const Home& home, const HomeRoom& room, const FurniturePiece& 
   std::vector<HomeWall> own;
   std::copy_if(walls.begin(), walls.end(), std::back_inserter(own),
                [&](const HomeWall& wall) { return wall.room_id == room.id; });
-  const HomeWall& wall = own[static_cast<size_t>(random.Index(static_cast<int>(own.size())))];
+  const HomeWall& wall = random.Pick(own);
   const double yaw_rad = std::atan2(wall.Along().y(), wall.Along().x());
   const double along_m = random.Millimetres(0, (wall.b - wall.a).norm());
   const double off_m = piece.is_against_wall ? kWallGap_m : random.Millimetres(0.3, 2.0);
@@ -228,8 +228,7 @@ bool HangMirror(Home& home, Random& random) {
   glass.rgb = {0.03f, 0.03f, 0.03f};
   mirror.boxes = {glass};
   for (int tries = 0; tries < 20; ++tries) {
-    const auto room_idx = static_cast<size_t>(random.Index(static_cast<int>(home.rooms.size())));
-    const HomeRoom& room = home.rooms[room_idx];
+    const HomeRoom& room = random.Pick(home.rooms);
     if (room.use == RoomUse::kCloset) continue;
     RoomBlocks blocks = BlocksOf(home, room);
     if (TryPlacePiece(home, room, mirror, blocks, random)) return true;

@@ -37,6 +37,11 @@ class Random {
   }
   /// In 0 … count − 1.
   [[nodiscard]] int Index(int count) { return static_cast<int>(Uniform() * count); }
+  /// One of the values; there must be some.
+  template <typename Values>
+  [[nodiscard]] auto& Pick(Values& values) {
+    return values[static_cast<size_t>(Index(static_cast<int>(values.size())))];
+  }
   [[nodiscard]] bool Chance(double probability) { return Uniform() < probability; }
   /// Standard normal (Box and Muller 1958).
   [[nodiscard]] double Normal() {
