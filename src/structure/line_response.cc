@@ -54,10 +54,10 @@ void ToOpponent(const uint8_t* rgb, float* opponent) {
   opponent[2] = 0.25F * (red + green) - 0.5F * blue;
 }
 
-// Differences over `step` pixels either way of what a Gaussian has smoothed.
-Gradients ComputeGradients(const LevelPanorama& panorama, double sigma_px, int step) {
+constexpr int kPad = 8;  // columns by which a picture wraps round in azimuth, on either side
+
+cv::Mat OpponentPicture(const LevelPanorama& panorama) {
   const int rows = panorama.rows(), cols = panorama.cols();
-  constexpr int kPad = 8;  // wraps round in azimuth
   cv::Mat opponent(rows, cols + 2 * kPad, CV_32FC3);
   for (int r = 0; r < rows; ++r) {
     float* out = opponent.ptr<float>(r);
@@ -65,15 +65,22 @@ Gradients ComputeGradients(const LevelPanorama& panorama, double sigma_px, int s
       ToOpponent(panorama.rgb.row(r) + 3 * ((c + cols) % cols), out);
     }
   }
-  cv::GaussianBlur(opponent, opponent, {0, 0}, sigma_px);
-  const ImageU8 seen = SeenWithMargin(panorama, kDerivativeReach_px);
+  return opponent;
+}
+
+// Differences over `step` pixels either way of what a Gaussian has smoothed; none where not seen.
+Gradients ComputeGradients(const cv::Mat& opponent, const ImageU8& seen, double sigma_px,
+                           int step) {
+  const int rows = seen.rows(), cols = seen.cols();
+  cv::Mat smooth;
+  cv::GaussianBlur(opponent, smooth, {0, 0}, sigma_px);
   Gradients gradients{
       rows, cols,
       std::vector<GradientPixel>(static_cast<size_t>(rows) * static_cast<size_t>(cols))};
   for (int r = step; r + step < rows; ++r) {
-    const float* here = opponent.ptr<float>(r) + 3 * kPad;
-    const float* above = opponent.ptr<float>(r - step) + 3 * kPad;
-    const float* below = opponent.ptr<float>(r + step) + 3 * kPad;
+    const float* here = smooth.ptr<float>(r) + 3 * kPad;
+    const float* above = smooth.ptr<float>(r - step) + 3 * kPad;
+    const float* below = smooth.ptr<float>(r + step) + 3 * kPad;
     GradientPixel* out =
         gradients.pixels.data() + static_cast<size_t>(r) * static_cast<size_t>(cols);
     for (int c = 0; c < cols; ++c, ++out) {
@@ -158,8 +165,10 @@ LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
   ENFILADE_CHECK(num_columns > 0 && cols % num_columns == 0);
   ENFILADE_CHECK(options.half_length_px <= kMaxHalfLength_px);
   const int step = cols / num_columns;
-  const Gradients gradients = ComputeGradients(panorama, kDerivativeSigma_px, 1);
-  const Gradients steps = ComputeGradients(panorama, kStepSigma_px, kStepReach_px);
+  const cv::Mat opponent = OpponentPicture(panorama);
+  const ImageU8 seen = SeenWithMargin(panorama, kDerivativeReach_px);
+  const Gradients gradients = ComputeGradients(opponent, seen, kDerivativeSigma_px, 1);
+  const Gradients steps = ComputeGradients(opponent, seen, kStepSigma_px, kStepReach_px);
   LineResponse response{std::vector<ImageU8>(kNumFamilies)};
   for (const int family : families) {
     std::vector<double> sin_off, cos_off;
