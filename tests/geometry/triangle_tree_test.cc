@@ -42,16 +42,34 @@ std::optional<TriangleHit> SlowFirstHit(const std::vector<Vector3f>& vertices,
   return first;
 }
 
-TEST(TriangleTree, AgreesWithItsBruteForceTwin) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> place(-2, 2);
-  const auto point = [&] { return Vector3f(place(random), place(random), place(random)); };
+// Points of a cube, each call the next.
+class RandomPoints {
+ public:
+  explicit RandomPoints(unsigned seed) : random_(seed) {}
+  Vector3f operator()() { return {place_(random_), place_(random_), place_(random_)}; }
+
+ private:
+  std::mt19937 random_;
+  std::uniform_real_distribution<float> place_{-2, 2};
+};
+
+struct Triangles {
   std::vector<Vector3f> vertices;
   std::vector<std::array<int, 3>> triangles;
+};
+
+Triangles TriangleSoup(RandomPoints& point) {
+  Triangles soup;
   for (int i = 0; i < 40; ++i) {
-    for (int k = 0; k < 3; ++k) vertices.push_back(point());
-    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    for (int k = 0; k < 3; ++k) soup.vertices.push_back(point());
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
+  return soup;
+}
+
+TEST(TriangleTree, AgreesWithItsBruteForceTwin) {
+  RandomPoints point(5);
+  const auto [vertices, triangles] = TriangleSoup(point);
   const TriangleTree tree(vertices, triangles);
   int num_hits = 0;
   for (int i = 0; i < 500; ++i) {
@@ -73,15 +91,8 @@ TEST(TriangleTree, AgreesWithItsBruteForceTwin) {
 }
 
 TEST(TriangleTree, ManyRaysGiveWhatEachGives) {
-  std::mt19937 random(6);
-  std::uniform_real_distribution<float> place(-2, 2);
-  const auto point = [&] { return Vector3f(place(random), place(random), place(random)); };
-  std::vector<Vector3f> vertices;
-  std::vector<std::array<int, 3>> triangles;
-  for (int i = 0; i < 40; ++i) {
-    for (int k = 0; k < 3; ++k) vertices.push_back(point());
-    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
+  RandomPoints point(6);
+  const auto [vertices, triangles] = TriangleSoup(point);
   const TriangleTree tree(vertices, triangles);
   for (const size_t num_rays : {1, 2, 3, 4, 5, 203}) {
     const Vector3f origin = point();
@@ -89,7 +100,7 @@ TEST(TriangleTree, ManyRaysGiveWhatEachGives) {
     std::vector<float> far(num_rays);
     for (size_t i = 0; i < num_rays; ++i) {
       directions[i] = point().normalized();
-      far[i] = place(random) + 1;  // some lie before `near`
+      far[i] = point().x() + 1;  // some lie before `near`
     }
     std::vector<std::optional<TriangleHit>> hits(num_rays);
     tree.FirstHits(origin, directions, 0.1f, 3, hits);
