@@ -18,7 +18,8 @@ namespace {
 constexpr double kCorrelationFactor = 2.0;
 // So do the other panoramas.
 constexpr double kShareFactor = 2.0;
-// Weight of one squared standard deviation of the camera's height, mean response.
+// What a height loses for a squared standard deviation from its prior, mean response; no more than
+// for ten of them.
 constexpr double kPriorWeight = 0.01;
 // The last search for the floor's height.
 constexpr double kRefineReach_m = 0.06;
@@ -82,6 +83,11 @@ double FloorScore(std::span<const HeightView> views, const std::vector<std::vect
   return sum / static_cast<double>(views.size());
 }
 
+double PriorLoss(double height_m, double mean_m, double sigma_m) {
+  const double off = (height_m - mean_m) / sigma_m;
+  return kPriorWeight * std::min(off * off, 100.0);
+}
+
 double MedianCameraZ(std::span<const HeightView> views) {
   std::vector<double> z;
   for (const HeightView& view : views) z.push_back(view.position.z());
@@ -125,8 +131,7 @@ std::vector<double> ScoreFloors(std::span<const HeightView> views,
     const size_t h = static_cast<size_t>(i);
     scores[h] = FloorScore(views, others, floors[h], baseboard_m, bins, viterbi);
     if (prior_camera_m > 0) {
-      const double off = (median_z - floors[h] - prior_camera_m) / options.camera_prior_sigma_m;
-      scores[h] -= kPriorWeight * std::min(off * off, 100.0);
+      scores[h] -= PriorLoss(median_z - floors[h], prior_camera_m, options.camera_prior_sigma_m);
     }
   });
   return scores;
@@ -272,11 +277,15 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
     for (const int u : same_room[v]) {
       for (size_t h = 0; h < num_heights; ++h) room[h] += curves[static_cast<size_t>(u)][h];
     }
+    const double num_views = static_cast<double>(same_room[v].size() + 1);
     std::vector<double> pooled = room;
-    for (size_t h = 0; h < num_heights; ++h) pooled[h] += options.home_weight * home[h];
+    for (size_t h = 0; h < num_heights; ++h) {
+      pooled[h] +=
+          options.home_weight * home[h] -
+          num_views * PriorLoss(heights[h], options.typical_room_m, options.room_prior_sigma_m);
+    }
     const size_t best = ArgMax(pooled);
-    const double contrast =
-        pooled[best] / (static_cast<double>(same_room[v].size() + 1) + options.home_weight);
+    const double contrast = pooled[best] / (num_views + options.home_weight);
     context.log().Debug(
         fmt::format("ceiling {:.2f} m above the floor, contrast {:.3f}", heights[best], contrast));
     const double level = std::clamp(contrast / options.level_contrast, 0.0, 1.0);

@@ -131,10 +131,12 @@ float AverageAcross(const Gradients& gradients, int row, int col, const Eigen::V
   return std::sqrt(squared) / (kGradientScale * static_cast<float>(2 * half_length + 1));
 }
 
-ImageU8 Normalise(const ImageF& strength, const LineResponseOptions& options) {
+// `usual` is what the strength is measured by: joints between tiles are no lines, but a floor full
+// of them is no quiet one.
+ImageU8 Normalise(const ImageF& strength, const ImageF& usual, const LineResponseOptions& options) {
   const int rows = strength.rows(), cols = strength.cols();
   const int half = std::max(2, static_cast<int>(std::lround(kNoiseBoxShare * rows)));
-  cv::Mat source(rows, cols, CV_32F, const_cast<float*>(strength.data().data()));
+  cv::Mat source(rows, cols, CV_32F, const_cast<float*>(usual.data().data()));
   cv::Mat padded, mean;
   cv::copyMakeBorder(source, padded, 0, 0, half, half, cv::BORDER_WRAP);
   cv::blur(padded, mean, {2 * half + 1, 2 * half + 1});
@@ -177,7 +179,7 @@ LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
       sin_off.push_back(std::sin(WallDirection(family, azimuth) - azimuth));
       cos_off.push_back(std::cos(WallDirection(family, azimuth) - azimuth));
     }
-    ImageF strength(rows, num_columns);
+    ImageF strength(rows, num_columns), usual(rows, num_columns);
     for (int r = 0; r < rows; ++r) {
       const double elevation = kPi * (0.5 - (r + 0.5) / rows);
       if (std::abs(elevation) > kMaxElevation_rad) continue;
@@ -190,9 +192,10 @@ LineResponse ComputeLineResponse(const LevelPanorama& panorama, int num_columns,
         const float fine = AverageAcross(gradients, r, col, along, options.half_length_px);
         const float coarse = AverageAcross(steps, r, col, along, options.half_length_px);
         strength(r, c) = std::min(fine, kStepShare * coarse);
+        usual(r, c) = fine;
       }
     }
-    response.family[static_cast<size_t>(family)] = Normalise(strength, options);
+    response.family[static_cast<size_t>(family)] = Normalise(strength, usual, options);
   }
   return response;
 }

@@ -63,6 +63,16 @@ std::vector<float> WallConfidence(const WallPath& path, const ColumnScores& line
           static_cast<float>(std::clamp(explained, 0.0, 1.0));
     }
   }
+  // One path explains the whole panorama: where much of it fails, the rest fits by chance.
+  double sum_seen = 0;
+  int num_seen = 0;
+  for (size_t c = 0; c < confidence.size(); ++c) {
+    if (is_seen[c] == 0) continue;
+    sum_seen += confidence[c];
+    ++num_seen;
+  }
+  const auto mean = static_cast<float>(sum_seen / std::max(1, num_seen));
+  for (float& value : confidence) value *= mean;
   return confidence;
 }
 

@@ -107,6 +107,24 @@ TEST(EstimateCeilings, APanoramaThatSeesNoneTakesItsRoomsCeiling) {
   EXPECT_NEAR(ceilings[1].ceiling_z, 2.75, 0.03);
 }
 
+// The tops of cabinets along half of the walls are as clear as a ceiling that shows above
+// fewer. What rooms usually measure decides.
+TEST(EstimateCeilings, TheTopsOfCabinetsAreNoCeiling) {
+  const BoxRoom room = RoomWith(0, 2.6, 0.07);
+  PerfectView view(room, {1.7, 1.4, 1.4}, false);
+  const LineResponse ceiling = PerfectResponse(view.truth, kRows, {2.6 - 1.4});
+  const LineResponse cabinets = PerfectResponse(view.truth, kRows, {2.04 - 1.4});
+  for (const size_t f : {0, 1}) {
+    for (int r = 0; r < kRows / 2; ++r) {
+      for (int c = 0; c < kColumns; ++c) {
+        const LineResponse& source = c < kColumns / 2 - 6 ? ceiling : cabinets;
+        view.response.family[f](r, c) = source.family[f](r, c);
+      }
+    }
+  }
+  EXPECT_NEAR(Ceilings({view}, {{}}, 0.07)[0].ceiling_z, 2.6, 0.03);
+}
+
 TEST(EstimateCeilings, NoLevelCeilingHasNoWeight) {
   const BoxRoom room = RoomWith(0, 2.5, 0.07);
   const std::vector<CeilingEstimate> ceilings =

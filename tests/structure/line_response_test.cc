@@ -160,6 +160,34 @@ TEST(ComputeLineResponse, AJointBetweenTilesIsNoEdge) {
   }
 }
 
+// Where there are many joints, what little of them is left must not count as much as it would on a
+// quiet wall.
+TEST(ComputeLineResponse, AFloorFullOfJointsIsNotQuiet) {
+  constexpr int kFirstRow = 160, kRowsApart = 12;
+  std::mt19937 random(7);
+  LevelPanorama panorama{kCamera, ImageU8(kRows, kWidth, 3), ImageU8(kRows, kWidth, 1, 1)};
+  for (int r = 0; r < kRows; ++r) {
+    // Tiles differ by six grey levels from row to row.
+    const int tile = (r - kFirstRow) / kRowsApart % 2 == 0 ? 160 : 166;
+    const bool is_joint = r >= kFirstRow && (r - kFirstRow) % kRowsApart == 0;
+    for (int c = 0; c < kWidth; ++c) {
+      const int grey = (r < kFirstRow ? 200
+                        : is_joint    ? 120
+                                      : tile) +
+                       static_cast<int>(random() % 5);
+      for (int k = 0; k < 3; ++k) panorama.rgb(r, c, k) = static_cast<uint8_t>(grey);
+    }
+  }
+  const ImageU8 picture = Respond(panorama).family[kFrontalFamily];
+  for (int c = 0; c < kColumns; c += 16) {
+    int joint = 0;
+    for (int r = kFirstRow + 8; r < kRows * 7 / 8; ++r) joint = std::max<int>(joint, picture(r, c));
+    int wall = 0;
+    for (int r = kFirstRow - 4; r < kFirstRow + 4; ++r) wall = std::max<int>(wall, picture(r, c));
+    EXPECT_GT(wall, 1.5 * joint) << c;
+  }
+}
+
 TEST(ComputeLineResponse, ColourEdgesOfEqualBrightnessCount) {
   BoxRoom room;
   LevelPanorama panorama = DrawPanorama(room, kCamera, kWidth);

@@ -48,8 +48,9 @@ TEST_F(WallConfidenceTest, WallsWithClearLinesAreBelievedInFull) {
   for (const float value : Confidence(PerfectScores(truth_, kBins))) EXPECT_EQ(value, 1);
 }
 
+// Each wall's share, and as much once more for the whole panorama.
 TEST_F(WallConfidenceTest, IsTheShareOfAClearResponse) {
-  for (const float value : Confidence(Uniform(0.1F))) EXPECT_NEAR(value, 0.25, 1e-6);
+  for (const float value : Confidence(Uniform(0.1F))) EXPECT_NEAR(value, 0.25 * 0.25, 1e-6);
   for (const float value : Confidence(Uniform(-0.1F))) EXPECT_EQ(value, 0);
 }
 
@@ -63,8 +64,11 @@ TEST_F(WallConfidenceTest, IsOneValueAWall) {
   for (int c = begin; c < inside; ++c) std::fill_n(lines.family[1].row(c), kBins.count, 0.0F);
   const std::vector<float> confidence = Confidence(lines);
   const double expected = 0.75 * (end - inside) / (end - begin);
+  const double mean =
+      (expected * (end - begin) + 0.75 * (kColumns - end + begin)) / static_cast<double>(kColumns);
   for (int c = 0; c < kColumns; ++c) {
-    EXPECT_NEAR(confidence[static_cast<size_t>(c)], c >= begin && c < end ? expected : 0.75, 1e-5)
+    EXPECT_NEAR(confidence[static_cast<size_t>(c)],
+                mean * (c >= begin && c < end ? expected : 0.75), 1e-5)
         << c;
   }
 }
@@ -78,7 +82,8 @@ TEST_F(WallConfidenceTest, ColumnsBesideThePictureHaveNoSay) {
     for (const size_t f : {0, 1}) std::fill_n(lines.family[f].row(c), kBins.count, 0.0F);
   }
   const std::vector<float> confidence = WallConfidence(path_, lines, is_seen, kBins, kClear);
-  for (int c = 0; c < kColumns / 2; ++c) EXPECT_NEAR(confidence[static_cast<size_t>(c)], 0.5, 1e-6);
+  for (int c = 0; c < kColumns / 2; ++c)
+    EXPECT_NEAR(confidence[static_cast<size_t>(c)], 0.5 * 0.5, 1e-6);
 }
 
 TEST_F(WallConfidenceTest, TheSeamCutsNoWall) {

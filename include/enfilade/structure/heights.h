@@ -21,6 +21,8 @@ struct HeightOptions {
   double max_room_m = 4.2;
   double step_m = 0.04;
   double max_baseboard_m = 0.16;
+  double typical_room_m = 2.5;
+  double room_prior_sigma_m = 0.2;
   double home_weight = 0.5;
   double level_contrast = 0.2;
 
@@ -34,6 +36,9 @@ struct HeightOptions {
     v("step_m", step_m, "Step of the coarse search for heights, metres.", {0.005, 0.5});
     v("max_baseboard_m", max_baseboard_m, "Tallest baseboard, metres; 0 looks for none.",
       {0.0, 0.5});
+    v("typical_room_m", typical_room_m, "Usual height of a room, metres.", {1.5, 20.0});
+    v("room_prior_sigma_m", room_prior_sigma_m,
+      "Standard deviation of the rooms' heights about it, metres.", {0.01, 10.0});
     v("home_weight", home_weight, "Weight of the home's ceilings in the choice of a room's.",
       {0.0, 10.0});
     v("level_contrast", level_contrast,
@@ -69,8 +74,9 @@ struct CeilingEstimate {
 };
 
 /// The ceiling over each panorama. Score curves over the height are pooled with those of the
-/// panoramas in the same room (`same_room[i]` lists them) and of the whole home: one panorama alone
-/// errs by up to half a metre in a closet.
+/// panoramas in the same room (`same_room[i]` lists them) and of the whole home, and with what
+/// rooms usually measure: one panorama alone errs by up to half a metre in a closet, and takes the
+/// tops of cabinets for a ceiling.
 [[nodiscard]] std::vector<CeilingEstimate> EstimateCeilings(
     std::span<const HeightView> views, const FloorEstimate& floor,
     const std::vector<std::vector<int>>& same_room, const DistanceBins& bins,
