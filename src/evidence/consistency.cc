@@ -13,9 +13,6 @@ namespace {
 constexpr float kWindow =
     0.1f;  // metres of the running mean: about the blocked depth behind a wall
 
-// No wall stands nearer to a camera; a door may have been open for it and closed for the others.
-constexpr float kRoomRoundCamera = 0.4f;  // metres
-
 float TrustBehind(float log_odds) { return std::min(1.0f, 2 / (1 + std::exp(-log_odds - 0.5f))); }
 
 // Trust at every edge of the distance bins along one direction.

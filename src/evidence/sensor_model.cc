@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace enfilade {
+namespace {
+
+constexpr float kUnknownFrom = 1.5f;  // metres; beyond, nothing is known without looking
+
+}  // namespace
 
 SensorModel::SensorModel(const AccumulateOptions& options)
     : inlier_(static_cast<float>(1 - options.outlier_probability)),
@@ -18,10 +23,15 @@ float SensorModel::Quantised(double log_odds) {
   return static_cast<float>(std::nearbyint(log_odds * 1024) / 1024);
 }
 
+float SensorModel::FreeIfUnexplained(float r_m) {
+  static const float octaves = std::log2(kUnknownFrom / kRoomRoundCamera);
+  return 1 - 0.5f * std::clamp(std::log2(r_m / kRoomRoundCamera) / octaves, 0.0f, 1.0f);
+}
+
 CellLogOdds SensorModel::Evaluate(const PolarReading& reading, float r_m, float half_width_m,
                                   double weight) const {
   const float inlier = reading.trust * inlier_ / (1 + r_m * r_m * inverse_range2_);
-  const float unknown = 0.5f * (1 - inlier);
+  const float unknown = FreeIfUnexplained(r_m) * (1 - inlier);
   const float p_free = inlier * (1 - reading.cdf + 0.5f * reading.cdf_blocked) + unknown;
   const float density = (reading.cdf_far - reading.cdf_near) / (2 * half_width_m);
   const float face_ratio = inlier * (reading.cdf_near + mean_free_path_m_ * density) + (1 - inlier);

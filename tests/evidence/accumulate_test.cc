@@ -123,24 +123,45 @@ TEST(AccumulateEvidence, NearViewsCountMore) {
 }
 
 TEST(AccumulateEvidence, BlockedWeighsAsMuchAsFree) {
-  const EvidenceGrids grids = Accumulate(SamplesOf(PlanFromText("-1,-1 1,-1 1,1 -1,1", {{0, 0}})));
-  EXPECT_NEAR(At(grids, grids.free, 0.85, 0.01), -At(grids, grids.free, 1.06, 0.01), 0.3);
+  AccumulateOptions options;
+  // A wall as sharp as it is one metre away.
+  options.position_sigma_m = 0.01;
+  options.angle_sigma_deg = 0.05;
+  const EvidenceGrids grids =
+      Accumulate(SamplesOf(PlanFromText("-2,-2 2,-2 2,2 -2,2", {{0, 0}})), options);
+  EXPECT_NEAR(At(grids, grids.free, 1.85, 0.01), -At(grids, grids.free, 2.06, 0.01), 0.3);
 }
 
 TEST(AccumulateEvidence, ColumnsCountAsFarAsTheyAreBelieved) {
-  WallSampleSet samples = SamplesOf(PlanFromText("-1,-1 1,-1 1,1 -1,1", {{0, 0}}));
+  WallSampleSet samples = SamplesOf(PlanFromText("-2,-2 2,-2 2,2 -2,2", {{0, 0}}));
   const auto at_confidence = [&](double confidence) {
     for (WallSample& sample : samples.samples) sample.confidence = confidence;
     return Accumulate(samples);
   };
   const EvidenceGrids full = at_confidence(1), half = at_confidence(0.5), none = at_confidence(0);
-  for (const double x : {0.5, 1.0}) {
+  for (const double x : {1.55, 2.0}) {
     EXPECT_EQ(At(none, none.free, x, 0.01), 0) << x;
     EXPECT_EQ(At(none, none.wall, x, 0.01), 0) << x;
   }
-  EXPECT_EQ(At(none, none.support, 0.5, 0.01), 0);
-  EXPECT_GT(At(half, half.free, 0.5, 0.01), 0.5);
-  EXPECT_LT(At(half, half.free, 0.5, 0.01), 0.7 * At(full, full.free, 0.5, 0.01));
+  EXPECT_EQ(At(none, none.support, 1.55, 0.01), 0);
+  EXPECT_GT(At(half, half.free, 1.55, 0.01), 0.5);
+  EXPECT_LT(At(half, half.free, 1.55, 0.01), 0.7 * At(full, full.free, 1.55, 0.01));
+}
+
+// Columns that tell nothing cut no wedge into the room where its camera stands.
+TEST(AccumulateEvidence, RoundACameraIsRoom) {
+  WallSampleSet samples = SamplesOf(PlanFromText("-2,-2 2,-2 2,2 -2,2", {{0, 0}}));
+  for (WallSample& sample : samples.samples) sample.confidence = 0;
+  const EvidenceGrids grids = Accumulate(samples);
+  EXPECT_GT(At(grids, grids.free, 0.35, 0.01), 2);
+  EXPECT_TRUE(At(grids, grids.support, 0.35, 0.01) & kSupportNear);
+  float before = At(grids, grids.free, 0.35, 0.01);
+  for (const double x : {0.6, 0.9, 1.2, 1.45}) {
+    const float here = At(grids, grids.free, x, 0.01);
+    EXPECT_LT(here, before) << x;
+    EXPECT_GT(here, 0) << x;
+    before = here;
+  }
 }
 
 TEST(AccumulateEvidence, OneViewIsBounded) {
