@@ -130,9 +130,11 @@ std::vector<double> ScoreFloors(std::span<const HeightView> views,
   ParallelFor(context, "floor height", static_cast<int64_t>(floors.size()), [&](int64_t i) {
     const size_t h = static_cast<size_t>(i);
     scores[h] = FloorScore(views, others, floors[h], baseboard_m, bins, viterbi);
-    if (prior_camera_m > 0) {
-      scores[h] -= PriorLoss(median_z - floors[h], prior_camera_m, options.camera_prior_sigma_m);
-    }
+    const double camera_m = median_z - floors[h];
+    scores[h] -=
+        prior_camera_m > 0
+            ? PriorLoss(camera_m, prior_camera_m, options.camera_prior_sigma_m)
+            : PriorLoss(camera_m, options.typical_camera_m, options.typical_camera_sigma_m);
   });
   return scores;
 }

@@ -78,6 +78,12 @@ TEST(EstimateFloor, APriorDecidesWhatOneBlankRoomCannot) {
   views[0].correlation = ColumnScores();
   EXPECT_NEAR(Floor(views, 1.5).floor_z, 0, 0.03);
   EXPECT_NEAR(Floor(views, 1.2).floor_z, 0.3, 0.06);
+  // Nobody says: the usual height, 1.5 m.
+  for (const double camera_m : {1.1, 1.5, 1.9}) {
+    std::vector<PerfectView> unknown = {PerfectView(room, {1.2, 1.1, camera_m})};
+    unknown[0].correlation = ColumnScores();
+    EXPECT_NEAR(Floor(unknown).floor_z, camera_m - 1.5, 0.12) << camera_m;
+  }
 }
 
 std::vector<CeilingEstimate> Ceilings(const std::vector<PerfectView>& views,

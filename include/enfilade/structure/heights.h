@@ -17,6 +17,8 @@ struct HeightOptions {
   double min_camera_m = 0.6;
   double max_camera_m = 2.2;
   double camera_prior_sigma_m = 0.03;
+  double typical_camera_m = 1.5;
+  double typical_camera_sigma_m = 0.25;
   double min_room_m = 1.9;
   double max_room_m = 4.2;
   double step_m = 0.04;
@@ -31,6 +33,10 @@ struct HeightOptions {
     v("max_camera_m", max_camera_m, "Highest camera above the floor, metres.", {0.2, 10.0});
     v("camera_prior_sigma_m", camera_prior_sigma_m,
       "Standard deviation of a camera height that files or the user give, metres.", {0.001, 1.0});
+    v("typical_camera_m", typical_camera_m,
+      "Usual height of a camera above the floor, for homes that do not say, metres.", {0.2, 10.0});
+    v("typical_camera_sigma_m", typical_camera_sigma_m,
+      "Standard deviation of cameras' heights about it, metres.", {0.01, 10.0});
     v("min_room_m", min_room_m, "Lowest ceiling above the floor, metres.", {1.0, 10.0});
     v("max_room_m", max_room_m, "Highest ceiling above the floor, metres.", {1.5, 20.0});
     v("step_m", step_m, "Step of the coarse search for heights, metres.", {0.005, 0.5});
@@ -62,7 +68,8 @@ struct FloorEstimate {
 
 /// The floor of one storey, common to its panoramas: the height at which floor lines, correlation
 /// and the panoramas among each other agree best, summed over the best wall paths of all of them: a
-/// wrong height moves every wall away from its own camera. `prior_camera_m` 0 means unknown.
+/// wrong height moves every wall away from its own camera. `prior_camera_m` 0 means unknown: then
+/// the usual height counts, a little, and decides where one panorama alone has no scale.
 [[nodiscard]] FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_camera_m,
                                           const DistanceBins& bins,
                                           const PlaneViterbiOptions& viterbi,
