@@ -80,9 +80,9 @@ class RowAccumulator {
     const CellLogOdds log_odds = model_.Evaluate(*reading, r, half_width, in_.weights[v]);
     grids_.free(row, col) += log_odds.free;
     grids_.wall(row, col) += log_odds.wall;
-    const float free = reading->trust * (1 - reading->cdf_far) +
-                       (1 - reading->trust) * SensorModel::FreeIfUnexplained(r);
-    if (free < options.min_support_probability) return;
+    const float free_probability = reading->trust * (1 - reading->cdf_far) +
+                                   (1 - reading->trust) * SensorModel::FreeIfUnexplained(r);
+    if (free_probability < options.min_support_probability) return;
     const bool is_near = r <= std::min(static_cast<float>(options.near_m), reading->obstacle_m);
     if (is_near) support_[col].AddNear();
     support_[col].AddDirection(unit, max_cosine_);

@@ -284,7 +284,7 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
     for (size_t h = 0; h < num_heights; ++h) {
       pooled[h] +=
           options.home_weight * home[h] -
-          num_views * PriorLoss(heights[h], options.typical_room_m, options.room_prior_sigma_m);
+          num_views * PriorLoss(heights[h], options.typical_room_m, options.typical_room_sigma_m);
     }
     const size_t best = ArgMax(pooled);
     const double contrast = pooled[best] / (num_views + options.home_weight);

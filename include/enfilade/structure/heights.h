@@ -24,7 +24,7 @@ struct HeightOptions {
   double step_m = 0.04;
   double max_baseboard_m = 0.16;
   double typical_room_m = 2.5;
-  double room_prior_sigma_m = 0.2;
+  double typical_room_sigma_m = 0.2;
   double home_weight = 0.5;
   double level_contrast = 0.2;
 
@@ -43,7 +43,7 @@ struct HeightOptions {
     v("max_baseboard_m", max_baseboard_m, "Tallest baseboard, metres; 0 looks for none.",
       {0.0, 0.5});
     v("typical_room_m", typical_room_m, "Usual height of a room, metres.", {1.5, 20.0});
-    v("room_prior_sigma_m", room_prior_sigma_m,
+    v("typical_room_sigma_m", typical_room_sigma_m,
       "Standard deviation of the rooms' heights about it, metres.", {0.01, 10.0});
     v("home_weight", home_weight, "Weight of the home's ceilings in the choice of a room's.",
       {0.0, 10.0});
