@@ -24,8 +24,10 @@ float SensorModel::Quantised(double log_odds) {
 }
 
 float SensorModel::FreeIfUnexplained(float r_m) {
+  if (r_m <= kRoomRoundCamera) return 1;
+  if (r_m >= kUnknownFrom) return 0.5f;  // most cells; a logarithm for each would be felt
   static const float octaves = std::log2(kUnknownFrom / kRoomRoundCamera);
-  return 1 - 0.5f * std::clamp(std::log2(r_m / kRoomRoundCamera) / octaves, 0.0f, 1.0f);
+  return 1 - 0.5f * std::log2(r_m / kRoomRoundCamera) / octaves;
 }
 
 CellLogOdds SensorModel::Evaluate(const PolarReading& reading, float r_m, float half_width_m,
