@@ -41,8 +41,10 @@ Action SetupSynth(CLI::App& parser) {
     Session session(arguments->common);
     const Home home = SynthesiseHome(arguments->output, options, session.context());
     const bool is_panorama = options.pictures.kind == PictureKind::kEquirectangular;
-    std::printf("%zu %s of %zu rooms in %s\n", home.cameras.size(),
+    const int num_storeys = home.NumStoreys();
+    std::printf("%zu %s of %zu rooms%s in %s\n", home.cameras.size(),
                 is_panorama ? "panoramas" : "views all round", home.rooms.size(),
+                num_storeys > 1 ? (" on " + std::to_string(num_storeys) + " storeys").c_str() : "",
                 PrintablePath(arguments->output).c_str());
     return kExitOk;
   };

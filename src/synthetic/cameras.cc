@@ -120,11 +120,14 @@ double Clearance(const Home& home, int room_id, const Vector2d& p) {
   return nearest;
 }
 
+std::string PictureName(size_t number) {
+  const std::string digits = std::to_string(number);
+  return "pano_" + std::string(3 - std::min<size_t>(digits.size(), 3), '0') + digits + ".jpg";
+}
+
 void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double azimuth_rad) {
   HomeCamera camera;
-  const std::string number = std::to_string(home.cameras.size());
-  camera.picture =
-      "pano_" + std::string(3 - std::min<size_t>(number.size(), 3), '0') + number + ".jpg";
+  camera.picture = PictureName(home.cameras.size());
   camera.room_id = room_id;
   const double c = std::cos(azimuth_rad), s = std::sin(azimuth_rad);
   camera.home_from_cam.rotation.col(0) = Eigen::Vector3d(s, -c, 0);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "enfilade/synthetic/home.h"
 #include "src/synthetic/random.h"
 #include "src/synthetic/recipe.h"
@@ -20,7 +22,10 @@ namespace enfilade {
 /// the order of the path, looking ahead. Returns false when a room cannot be walked into.
 [[nodiscard]] bool PlaceWalkCameras(Home& home, Random& random);
 
-/// Adds an upright camera that looks along the azimuth and is called pano_NNN.jpg by its number.
+/// pano_NNN.jpg, or longer for numbers from 1000 on.
+[[nodiscard]] std::string PictureName(size_t number);
+
+/// Adds an upright camera that looks along the azimuth and is called by its number.
 void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double azimuth_rad);
 
 /// Leans every camera by up to `recipe.tilt_rad` about a random level axis, changes its exposure

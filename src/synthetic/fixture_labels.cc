@@ -80,9 +80,10 @@ class Blobs {
 // The true labels with their boundaries moved.
 ImageU8 MovedLabels(const Home& home, int camera_idx, ImageSize size, const LabelNoise& noise,
                     uint64_t seed) {
-  const std::vector<Surface> surfaces = MakeSurfaces(home);
+  const int storey_idx = home.StoreyOfCamera(camera_idx);
+  const std::vector<Surface> surfaces = MakeSurfaces(home, storey_idx);
   const RayScene scene(surfaces);
-  const std::vector<LampShade> shades = MakeLampShades(home);
+  const std::vector<LampShade> shades = MakeLampShades(home, storey_idx);
   const Rigid3& home_from_cam = home.cameras[static_cast<size_t>(camera_idx)].home_from_cam;
   const Vector3f origin = home_from_cam.translation.cast<float>();
   const Camera camera = EquirectangularCamera(size.width, size.height);

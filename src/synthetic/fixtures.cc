@@ -39,14 +39,14 @@ void FillProbability(const std::vector<double>& bin_m, double distance_m, double
   for (size_t i = 0; i < bin_m.size(); ++i) out[i] = static_cast<float>(out[i] / sum);
 }
 
-PlanSegments SegmentsFor(const Home& home, const ProfileNoise& noise) {
-  if (!noise.are_doors_walls) return MakePlanSegments(home);
+PlanSegments SegmentsFor(const Home& home, int storey_idx, const ProfileNoise& noise) {
+  PlanSegments segments = MakePlanSegments(home, storey_idx);
+  if (!noise.are_doors_walls) return segments;
   Home closed = home;
-  PlanSegments segments = MakePlanSegments(home);
   for (HomeOpening& opening : closed.openings) {
     if (opening.kind != OpeningKind::kWindow) opening.leaf = DoorLeaf::kClosed;
   }
-  segments.walls = MakePlanSegments(closed).walls;
+  segments.walls = MakePlanSegments(closed, storey_idx).walls;
   return segments;
 }
 
@@ -96,17 +96,24 @@ Structure FixtureStructure(const Home& home, const ProfileNoise& noise) {
   structure.home_from_world = home.home_from_world;
   const Eigen::Matrix3d world_from_home = home.home_from_world.rotation.transpose();
   structure.heading_rad = std::atan2(world_from_home(1, 0), world_from_home(0, 0));
-  structure.storeys = {{home.rooms[0].floor_z, home.rooms[0].ceiling_z, home.baseboard_m}};
   structure.bin_m = MakeBins(noise);
-  const PlanSegments segments = SegmentsFor(home, noise);
+  std::vector<PlanSegments> segments;
+  for (int i = 0; i < home.NumStoreys(); ++i) {
+    const auto room = std::find_if(home.rooms.begin(), home.rooms.end(),
+                                   [&](const HomeRoom& r) { return r.storey_idx == i; });
+    structure.storeys.push_back({room->floor_z, room->ceiling_z, home.baseboard_m});
+    segments.push_back(SegmentsFor(home, i, noise));
+  }
   for (int i = 0; i < static_cast<int>(home.cameras.size()); ++i) {
-    structure.profiles.push_back(MakeProfile(home, i, segments, structure.bin_m, noise));
+    const int storey_idx = home.StoreyOfCamera(i);
+    structure.profiles.push_back(
+        MakeProfile(home, i, segments[static_cast<size_t>(storey_idx)], structure.bin_m, noise));
   }
   return structure;
 }
 
-WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise) {
-  return MakeWallSamples(FixtureStructure(home, noise), FixtureScene(home), 0);
+WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise, int storey_idx) {
+  return MakeWallSamples(FixtureStructure(home, noise), FixtureScene(home), storey_idx);
 }
 
 Scene FixtureScene(const Home& home, int width, int height) {
@@ -117,6 +124,7 @@ Scene FixtureScene(const Home& home, int width, int height) {
     view.picture = home.cameras[i].picture;
     view.camera = EquirectangularCamera(width, height);
     view.world_from_cam = home.WorldFromCamera(static_cast<int>(i));
+    view.storey_idx = home.StoreyOfCamera(static_cast<int>(i));
     scene.views.push_back(view);
   }
   return scene;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
@@ -19,6 +20,7 @@
 #include "src/synthetic/placement.h"
 #include "src/synthetic/recipe.h"
 #include "src/synthetic/rooms.h"
+#include "src/synthetic/storeys.h"
 
 namespace enfilade {
 namespace {
@@ -27,14 +29,13 @@ using Eigen::Vector2d;
 using Eigen::Vector3f;
 
 // Parts of a home whose numbers come from streams of their own.
-enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms };
+enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms, kUpperStoreys };
 
-std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, const HomeOptions& options,
+std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, int asked_rooms, uint64_t seed,
                                      Random& random) {
-  Random count(
-      PartSeed(static_cast<uint64_t>(options.seed), static_cast<uint64_t>(SeedPart::kRoomCount)));
+  Random count(PartSeed(seed, static_cast<uint64_t>(SeedPart::kRoomCount)));
   const int drawn = recipe.min_rooms + count.Index(recipe.max_rooms - recipe.min_rooms + 1);
-  const int num_rooms = options.rooms > 0 ? options.rooms : drawn;
+  const int num_rooms = asked_rooms > 0 ? asked_rooms : drawn;
   return recipe.layout == LayoutKind::kHall ? MakeHallLayout(num_rooms, random)
                                             : MakeRoomLayout(num_rooms, random);
 }
@@ -187,11 +188,11 @@ bool PlaceAllCameras(Home& home, const HomeRecipe& recipe, Random& random) {
   return PlaceWalkCameras(home, random);
 }
 
-std::optional<Home> TryMakeHome(const HomeRecipe& recipe, const HomeOptions& options,
-                                Random& random) {
+std::optional<Home> TryMakeStorey(const HomeRecipe& recipe, const HomeOptions& options,
+                                  uint64_t seed, Random& random) {
   Home home;
-  home.seed = static_cast<uint64_t>(options.seed);
-  const std::optional<RoomLayout> layout = MakeLayout(recipe, options, random);
+  home.seed = seed;
+  const std::optional<RoomLayout> layout = MakeLayout(recipe, options.rooms, seed, random);
   if (!layout) return std::nullopt;
   AddRooms(home, *layout, random);
   FitOutRooms(home, *layout, random);
@@ -219,6 +220,31 @@ std::optional<Home> TryMakeHome(const HomeRecipe& recipe, const HomeOptions& opt
   return home;
 }
 
+Home MakeStorey(const HomeRecipe& recipe, const HomeOptions& options, uint64_t seed) {
+  constexpr uint64_t kAttempts = 200;
+  for (uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
+    Random random(PartSeed(seed, attempt));
+    const std::optional<Home> home = TryMakeStorey(recipe, options, seed, random);
+    if (home && HomeProblems(*home).empty()) return *home;
+  }
+  ENFILADE_CHECK_MSG(false, "no valid home for seed " + std::to_string(options.seed));
+}
+
+void CheckOptions(const HomeOptions& options, const HomeRecipe& recipe) {
+  HomeOptions checked = options;
+  ValidateOptions(VisitorOf(checked), "synthetic home");
+  if (options.rooms != 0 &&
+      (options.rooms < recipe.min_rooms || options.rooms > recipe.max_rooms)) {
+    throw InvalidInputError("rooms", "is " + std::to_string(options.rooms),
+                            "homes of this preset have " + std::to_string(recipe.min_rooms) +
+                                " to " + std::to_string(recipe.max_rooms));
+  }
+  if (options.storeys > recipe.max_storeys) {
+    throw InvalidInputError("storeys", "is " + std::to_string(options.storeys),
+                            "homes of this preset have one; give the preset flat or tour");
+  }
+}
+
 }  // namespace
 
 std::span<const std::string_view> EnumNames(HomePreset) {
@@ -244,11 +270,26 @@ Ring2 HomeBox::Footprint() const {
           center + turn * Vector2d(-half.x(), half.y())};
 }
 
+int Home::NumStoreys() const {
+  int highest = -1;
+  for (const HomeRoom& room : rooms) highest = std::max(highest, room.storey_idx);
+  return highest + 1;
+}
+
+bool Home::IsOnStorey(int room_id, int storey_idx) const {
+  return RoomById(room_id).storey_idx == storey_idx;
+}
+
 const HomeRoom& Home::RoomById(int id) const {
   const auto it =
       std::find_if(rooms.begin(), rooms.end(), [&](const HomeRoom& room) { return room.id == id; });
   ENFILADE_CHECK(it != rooms.end());
   return *it;
+}
+
+int Home::StoreyOfCamera(int camera_idx) const {
+  ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(cameras.size()));
+  return RoomById(cameras[static_cast<size_t>(camera_idx)].room_id).storey_idx;
 }
 
 Rigid3 Home::WorldFromCamera(int camera_idx) const {
@@ -263,22 +304,20 @@ Rigid3 Home::ClaimedWorldFromCamera(int camera_idx) const {
 }
 
 Home MakeHome(const HomeOptions& options) {
-  HomeOptions checked = options;
-  ValidateOptions(VisitorOf(checked), "synthetic home");
-  const HomeRecipe recipe = RecipeFor(options.preset);
-  if (options.rooms != 0 &&
-      (options.rooms < recipe.min_rooms || options.rooms > recipe.max_rooms)) {
-    throw InvalidInputError("rooms", "is " + std::to_string(options.rooms),
-                            "homes of this preset have " + std::to_string(recipe.min_rooms) +
-                                " to " + std::to_string(recipe.max_rooms));
+  HomeRecipe recipe = RecipeFor(options.preset);
+  CheckOptions(options, recipe);
+  const auto seed = static_cast<uint64_t>(options.seed);
+  if (options.storeys == 1) return MakeStorey(recipe, options, seed);
+  recipe.slope_chance = 0;  // a floor lies on every ceiling
+  std::vector<Home> storeys = {MakeStorey(recipe, options, seed)};
+  for (int i = 1; i < options.storeys; ++i) {
+    const uint64_t part = static_cast<uint64_t>(SeedPart::kUpperStoreys) + static_cast<uint64_t>(i);
+    storeys.push_back(MakeStorey(recipe, options, PartSeed(seed, part)));
   }
-  constexpr uint64_t kAttempts = 200;
-  for (uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
-    Random random(PartSeed(static_cast<uint64_t>(options.seed), attempt));
-    const std::optional<Home> home = TryMakeHome(recipe, options, random);
-    if (home && HomeProblems(*home).empty()) return *home;
-  }
-  ENFILADE_CHECK_MSG(false, "no valid home for seed " + std::to_string(options.seed));
+  Home home = StackStoreys(std::move(storeys));
+  home.seed = seed;
+  ENFILADE_CHECK(HomeProblems(home).empty());
+  return home;
 }
 
 std::vector<HomeWall> HomeWalls(const Home& home) {

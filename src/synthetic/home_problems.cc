@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "enfilade/geometry/boolean.h"
 #include "enfilade/synthetic/home.h"
@@ -16,10 +17,50 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kMinWall_m = 0.05;
+constexpr double kMinFloor_m = 0.2;  // between storeys
 constexpr double kMinCameraClearance_m = 0.3;
 constexpr double kTolerance_m2 = 1e-6;
 
 using Problems = std::vector<std::string>;
+
+// Booleans are asked of neighbours only: of all pairs of a large building they would take minutes.
+void CheckWallsBetween(const Home& home, Problems& problems) {
+  std::vector<Rectangle> bounds;
+  for (const HomeRoom& room : home.rooms) bounds.push_back(BoundsOf(room.polygon.outer));
+  for (size_t i = 0; i < home.rooms.size(); ++i) {
+    const MultiPolygon2 near = Offset({home.rooms[i].polygon}, kMinWall_m);
+    for (size_t j = i + 1; j < home.rooms.size(); ++j) {
+      if (home.rooms[j].storey_idx != home.rooms[i].storey_idx) continue;
+      if (!AreNear(bounds[i], bounds[j], kMinWall_m)) continue;
+      if (Area(Intersection(near, {home.rooms[j].polygon})) > kTolerance_m2) {
+        problems.push_back(
+            fmt::format("rooms {} and {}: no wall between", home.rooms[i].id, home.rooms[j].id));
+      }
+    }
+  }
+}
+
+// Every storey has rooms, and the highest ceiling of one is below the lowest floor of the next.
+void CheckStoreys(const Home& home, Problems& problems) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto num_storeys = static_cast<size_t>(home.NumStoreys());
+  std::vector<double> floor_z(num_storeys, kInfinity), ceiling_z(num_storeys, -kInfinity);
+  for (const HomeRoom& room : home.rooms) {
+    if (room.storey_idx < 0) {
+      problems.push_back(fmt::format("room {}: on no storey", room.id));
+      return;
+    }
+    const auto i = static_cast<size_t>(room.storey_idx);
+    floor_z[i] = std::min(floor_z[i], room.floor_z);
+    for (const Vector2d& corner : room.polygon.outer)
+      ceiling_z[i] = std::max(ceiling_z[i], room.CeilingAt(corner));
+  }
+  for (size_t i = 0; i < num_storeys; ++i) {
+    if (floor_z[i] == kInfinity) problems.push_back(fmt::format("storey {}: no room", i));
+    if (i > 0 && floor_z[i] < ceiling_z[i - 1] + kMinFloor_m)
+      problems.push_back(fmt::format("storey {}: no floor between it and the one below", i));
+  }
+}
 
 void CheckRooms(const Home& home, Problems& problems) {
   for (const HomeRoom& room : home.rooms) {
@@ -37,15 +78,8 @@ void CheckRooms(const Home& home, Problems& problems) {
     if (room.ceiling_z - room.floor_z < 1.8)
       problems.push_back(fmt::format("room {}: too low", room.id));
   }
-  for (size_t i = 0; i < home.rooms.size(); ++i) {
-    for (size_t j = i + 1; j < home.rooms.size(); ++j) {
-      const MultiPolygon2 near = Offset({home.rooms[i].polygon}, kMinWall_m);
-      if (Area(Intersection(near, {home.rooms[j].polygon})) > kTolerance_m2) {
-        problems.push_back(
-            fmt::format("rooms {} and {}: no wall between", home.rooms[i].id, home.rooms[j].id));
-      }
-    }
-  }
+  CheckWallsBetween(home, problems);
+  CheckStoreys(home, problems);
 }
 
 void CheckOpenings(const Home& home, Problems& problems) {
@@ -69,8 +103,12 @@ void CheckOpenings(const Home& home, Problems& problems) {
     }
     const HomeRoom& room = home.RoomById(opening.room_id);
     double lowest = room.ceiling_z;
-    if (opening.other_room_id)
-      lowest = std::min(lowest, home.RoomById(*opening.other_room_id).ceiling_z);
+    if (opening.other_room_id) {
+      const HomeRoom& other = home.RoomById(*opening.other_room_id);
+      lowest = std::min(lowest, other.ceiling_z);
+      if (other.storey_idx != room.storey_idx)
+        problems.push_back(fmt::format("opening {}: leads to another storey", opening.id));
+    }
     if (opening.sill_z < room.floor_z || opening.head_z <= opening.sill_z ||
         opening.head_z >= lowest) {
       problems.push_back(fmt::format("opening {}: sill or head out of the wall", opening.id));
@@ -86,36 +124,61 @@ void CheckOpenings(const Home& home, Problems& problems) {
   }
 }
 
+struct DoorFloor {
+  int opening_id = 0, storey_idx = 0;
+  Ring2 part;
+  Rectangle bounds;
+};
+
+std::vector<DoorFloor> FloorBeforeDoors(const Home& home) {
+  std::vector<DoorFloor> floors;
+  for (const HomeOpening& opening : home.openings) {
+    if (opening.kind == OpeningKind::kWindow) continue;
+    const int storey_idx = home.RoomById(opening.room_id).storey_idx;
+    for (const Ring2& part : DoorClearance(opening))
+      floors.push_back({opening.id, storey_idx, part, BoundsOf(part)});
+  }
+  return floors;
+}
+
 void CheckFurniture(const Home& home, Problems& problems) {
+  const std::vector<DoorFloor> floors = FloorBeforeDoors(home);
+  std::vector<Ring2> footprints;
+  std::vector<Rectangle> bounds;
+  for (const HomeBox& box : home.boxes) {
+    footprints.push_back(box.Footprint());
+    bounds.push_back(BoundsOf(footprints.back()));
+  }
   for (size_t i = 0; i < home.boxes.size(); ++i) {
     const HomeBox& box = home.boxes[i];
-    const Ring2 footprint = box.Footprint();
+    const Ring2& footprint = footprints[i];
     const HomeRoom& room = home.RoomById(box.room_id);
     if (!IsConvexInside(footprint, room.polygon) || box.z0 < room.floor_z - 1e-9 ||
         box.z1 > room.ceiling_z || box.z1 <= box.z0) {
       problems.push_back(fmt::format("box {}: leaves room {}", i, room.id));
     }
-    for (const HomeOpening& opening : home.openings) {
-      if (opening.kind == OpeningKind::kWindow) continue;
-      for (const Ring2& part : DoorClearance(opening)) {
-        if (DoConvexOverlap(footprint, part))
-          problems.push_back(fmt::format("box {}: stands in the way of door {}", i, opening.id));
-      }
+    for (const DoorFloor& floor : floors) {
+      if (floor.storey_idx != room.storey_idx || !AreNear(bounds[i], floor.bounds, 0)) continue;
+      if (DoConvexOverlap(footprint, floor.part))
+        problems.push_back(
+            fmt::format("box {}: stands in the way of door {}", i, floor.opening_id));
     }
     for (size_t j = i + 1; j < home.boxes.size(); ++j) {
       const HomeBox& other = home.boxes[j];
       if (other.item == box.item || box.z0 >= other.z1 || other.z0 >= box.z1) continue;
-      if (DoConvexOverlap(footprint, other.Footprint()))
+      if (AreNear(bounds[i], bounds[j], 0) && DoConvexOverlap(footprint, footprints[j]))
         problems.push_back(fmt::format("boxes {} and {} overlap", i, j));
     }
   }
 }
 
 void CheckCameras(const Home& home, Problems& problems) {
-  const StandingSpace space(home);
+  std::vector<StandingSpace> storeys;
+  for (int i = 0; i < home.NumStoreys(); ++i) storeys.emplace_back(home, i);
   for (const HomeCamera& camera : home.cameras) {
-    const Vector2d p = camera.home_from_cam.translation.head<2>();
     const HomeRoom& room = home.RoomById(camera.room_id);
+    const StandingSpace& space = storeys[static_cast<size_t>(room.storey_idx)];
+    const Vector2d p = camera.home_from_cam.translation.head<2>();
     const double z = camera.home_from_cam.translation.z();
     const bool is_in_room = space.RoomAt(p) == room.id;
     if (!is_in_room || space.Clearance(p) < kMinCameraClearance_m || z <= room.floor_z ||

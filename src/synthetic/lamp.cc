@@ -9,10 +9,11 @@ namespace enfilade {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-std::vector<LampShade> MakeLampShades(const Home& home) {
+std::vector<LampShade> MakeLampShades(const Home& home, int storey_idx) {
   constexpr double kThickness_m = 0.06;
   std::vector<LampShade> shades;
   for (const HomeLamp& lamp : home.lamps) {
+    if (!home.IsOnStorey(lamp.room_id, storey_idx)) continue;
     const Vector3d half(lamp.size.x() / 2, lamp.size.y() / 2, 0);
     shades.push_back({(lamp.center - half).cast<float>(),
                       (lamp.center + half + Vector3d(0, 0, kThickness_m)).cast<float>(), &lamp});

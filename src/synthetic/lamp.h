@@ -17,8 +17,8 @@ struct LampShade {
   const HomeLamp* lamp = nullptr;
 };
 
-/// One a lamp. `home` must outlive them.
-[[nodiscard]] std::vector<LampShade> MakeLampShades(const Home& home);
+/// One for every lamp of the storey. `home` must outlive them.
+[[nodiscard]] std::vector<LampShade> MakeLampShades(const Home& home, int storey_idx);
 
 struct LampHit {
   const HomeLamp* lamp = nullptr;

@@ -180,7 +180,8 @@ std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m
       // The other face runs the opposite way.
       const double begin_m = std::max(0.0, wall.Along().dot(other.b - wall.a));
       const double end_m = std::min((wall.b - wall.a).norm(), wall.Along().dot(other.a - wall.a));
-      if (end_m - begin_m >= min_length_m) {
+      if (end_m - begin_m >= min_length_m &&
+          home.IsOnStorey(other.room_id, home.RoomById(wall.room_id).storey_idx)) {
         shared.push_back({wall, other.room_id, begin_m, end_m, thickness_m});
       }
     }

@@ -18,7 +18,7 @@ struct SharedWall {
 /// The room whose face the wall is, to be changed.
 [[nodiscard]] HomeRoom& RoomOf(Home& home, const HomeWall& wall);
 
-/// Stretches at least `min_length_m` long where parallel faces of two different rooms are at most
+/// Stretches at least `min_length_m` long where parallel faces of two rooms of a storey are at most
 /// `max_thickness_m` apart; each pair of faces once, first room with the smaller id.
 [[nodiscard]] std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m,
                                                       double min_length_m);

@@ -11,6 +11,7 @@ HomeRecipe FlatRecipe() {
   HomeRecipe recipe;
   recipe.min_rooms = 3;
   recipe.max_rooms = 5;
+  recipe.max_storeys = 3;
   return recipe;
 }
 
@@ -19,6 +20,7 @@ HomeRecipe TourRecipe() {
   recipe.layout = LayoutKind::kHall;
   recipe.min_rooms = 5;
   recipe.max_rooms = 8;
+  recipe.max_storeys = 3;
   recipe.doors = {.has_ajar = true, .closed_inner_share = 0.2};
   recipe.has_free_walls = true;
   recipe.num_niches = 2;
@@ -39,6 +41,7 @@ HomeRecipe TourRecipe() {
 
 HomeRecipe FurnishedRecipe() {
   HomeRecipe recipe = FlatRecipe();
+  recipe.max_storeys = 1;
   recipe.has_built_ins = true;
   recipe.min_hidden_floor_line = 0.4;
   recipe.sun_chance = 0.5;
@@ -47,6 +50,7 @@ HomeRecipe FurnishedRecipe() {
 
 HomeRecipe WalkRecipe() {
   HomeRecipe recipe = FlatRecipe();
+  recipe.max_storeys = 1;
   recipe.has_built_ins = true;
   recipe.cameras = CameraPlan::kWalk;
   return recipe;
@@ -54,6 +58,7 @@ HomeRecipe WalkRecipe() {
 
 HomeRecipe HardRecipe() {
   HomeRecipe recipe = TourRecipe();
+  recipe.max_storeys = 1;
   recipe.min_rooms = 6;  // from here on there are closets
   recipe.doors.open_inner_share = 0.5;
   recipe.num_wide_openings = 1;

@@ -21,6 +21,7 @@ struct PoseErrors {
 struct HomeRecipe {
   LayoutKind layout = LayoutKind::kBlocks;
   int min_rooms = 1, max_rooms = 1;
+  int max_storeys = 1;
   DoorMix doors;
   int num_wide_openings = 0;  ///< open plan
   int num_glass_walls = 0;    ///< glazed from floor to door height, between two rooms

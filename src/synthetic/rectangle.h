@@ -11,8 +11,14 @@ namespace enfilade {
 struct Rectangle {
   Eigen::Vector2d min, max;
   [[nodiscard]] Eigen::Vector2d Size() const { return max - min; }
+  [[nodiscard]] Eigen::Vector2d Center() const { return 0.5 * (min + max); }
   [[nodiscard]] double Area() const { return Size().prod(); }
 };
+
+/// Whether two rectangles come nearer to each other than `margin_m` along both axes.
+[[nodiscard]] inline bool AreNear(const Rectangle& a, const Rectangle& b, double margin_m) {
+  return ((a.min - b.max).array() < margin_m).all() && ((b.min - a.max).array() < margin_m).all();
+}
 
 /// Counter-clockwise from `min`.
 [[nodiscard]] inline Ring2 RingOf(const Rectangle& r) {

@@ -30,8 +30,8 @@ struct GlassPane {
   float height = 0;
 };
 
-/// A home ready to be looked at.
-struct LitHome {
+/// A storey of a home ready to be looked at.
+struct LitStorey {
   Home home;
   RenderOptions options;
   std::vector<Surface> surfaces;
@@ -52,7 +52,7 @@ constexpr float kShadeGlow = 0.10f;  // lamps are this share of their radiance: 
 
 // Light from what a ray met, mirror images left out. There is no `hit` any more where a lamp stands
 // before it.
-Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
+Vector3f DiffuseRadiance(const LitStorey& lit, const Vector3f& origin, const Vector3f& direction,
                          std::optional<RayHit>& hit) {
   const float hit_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
   const std::optional<LampHit> shade = TraceLamps(lit.shades, origin, direction, hit_m);
@@ -68,7 +68,7 @@ Vector3f DiffuseRadiance(const LitHome& lit, const Vector3f& origin, const Vecto
   return ReflectanceAt(surface, hit->u, hit->v).cwiseProduct(irradiance) / kPi_f;
 }
 
-Vector3f MirroredRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction) {
+Vector3f MirroredRadiance(const LitStorey& lit, const Vector3f& origin, const Vector3f& direction) {
   std::optional<RayHit> hit = lit.scene->Trace(origin, direction);
   return DiffuseRadiance(lit, origin, direction, hit);
 }
@@ -77,10 +77,11 @@ float Fresnel(float cosine) {
   return 0.04f + 0.96f * std::pow(1 - std::clamp(cosine, 0.0f, 1.0f), 5.0f);  // Schlick 1994
 }
 
-std::vector<GlassPane> CollectPanes(const Home& home) {
+std::vector<GlassPane> CollectPanes(const Home& home, int storey_idx) {
   std::vector<GlassPane> panes;
   for (const HomeOpening& opening : home.openings) {
     if (opening.kind != OpeningKind::kWindow) continue;
+    if (!home.IsOnStorey(opening.room_id, storey_idx)) continue;
     const Eigen::Vector2d into = opening.IntoWall(), along = opening.b - opening.a;
     const Eigen::Vector2d corner = opening.a + kPaneDepth * opening.thickness_m * into;
     GlassPane pane;
@@ -110,7 +111,7 @@ const GlassPane* PaneBefore(const std::vector<GlassPane>& panes, const Vector3f&
 }
 
 // Light from what a ray met, without panes before it.
-Vector3f OpaqueRadiance(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
+Vector3f OpaqueRadiance(const LitStorey& lit, const Vector3f& origin, const Vector3f& direction,
                         std::optional<RayHit>& hit) {
   const Vector3f diffuse = DiffuseRadiance(lit, origin, direction, hit);
   if (!hit) return diffuse;
@@ -125,7 +126,7 @@ Vector3f OpaqueRadiance(const LitHome& lit, const Vector3f& origin, const Vector
   return (1 - weight) * diffuse + weight * image;
 }
 
-Vector3f RadianceAlong(const LitHome& lit, const Vector3f& origin, const Vector3f& direction,
+Vector3f RadianceAlong(const LitStorey& lit, const Vector3f& origin, const Vector3f& direction,
                        std::optional<RayHit> hit) {
   const Vector3f behind = OpaqueRadiance(lit, origin, direction, hit);
   const float far_m = hit ? hit->distance_m : std::numeric_limits<float>::infinity();
@@ -275,7 +276,7 @@ class PixelRays {
 };
 
 struct PixelJob {
-  const LitHome& lit;
+  const LitStorey& lit;
   ImageSize size;
   Vector3f origin;
   Eigen::Matrix3d world_from_home;
@@ -363,27 +364,40 @@ RenderedPanorama BlankPanorama(ImageSize size) {
   return out;
 }
 
+// What is on other storeys is left out: out of a window one would see it from behind.
+std::unique_ptr<const LitStorey> LightStorey(const Home& home, int storey_idx,
+                                             const RenderOptions& options, RunContext& context) {
+  auto lit = std::make_unique<LitStorey>();
+  lit->home = home;
+  lit->options = options;
+  lit->surfaces = MakeSurfaces(home, storey_idx);
+  lit->panes = CollectPanes(home, storey_idx);
+  lit->scene = std::make_unique<RayScene>(lit->surfaces);
+  lit->shades = MakeLampShades(lit->home, storey_idx);
+  lit->light = BakeLight(home, lit->surfaces, *lit->scene, lit->options, context);
+  lit->exposure_of_room = ChooseExposures(lit->surfaces, lit->light);
+  return lit;
+}
+
 }  // namespace
 
 HomeRenderer::HomeRenderer(const Home& home, const RenderOptions& options, RunContext& context) {
-  auto lit = std::make_unique<LitHome>();
-  lit->home = home;
-  lit->options = options;
-  ValidateOptions(VisitorOf(lit->options), "synthetic rendering");
-  lit->surfaces = MakeSurfaces(home);
-  lit->panes = CollectPanes(home);
-  lit->scene = std::make_unique<RayScene>(lit->surfaces);
-  lit->shades = MakeLampShades(lit->home);
-  lit->light = BakeLight(home, lit->surfaces, *lit->scene, lit->options, context);
-  lit->exposure_of_room = ChooseExposures(lit->surfaces, lit->light);
-  home_ = std::move(lit);
+  RenderOptions checked = options;
+  ValidateOptions(VisitorOf(checked), "synthetic rendering");
+  for (int i = 0; i < home.NumStoreys(); ++i)
+    storeys_.push_back(LightStorey(home, i, checked, context));
 }
 
 HomeRenderer::~HomeRenderer() = default;
 
+const Home& HomeRenderer::home() const {
+  ENFILADE_CHECK(!storeys_.empty());
+  return storeys_[0]->home;
+}
+
 RenderedPanorama HomeRenderer::Render(int camera_idx, ImageSize size, RunContext& context) const {
   ENFILADE_CHECK(size.height > 0 && size.width == 2 * size.height);
-  const uint64_t seed = PartSeed(home_->home.seed + 2, static_cast<uint64_t>(camera_idx));
+  const uint64_t seed = PartSeed(home().seed + 2, static_cast<uint64_t>(camera_idx));
   return RenderPicture(camera_idx, EquirectangularCamera(size.width, size.height),
                        Eigen::Matrix3d::Identity(), seed, context);
 }
@@ -392,7 +406,7 @@ RenderedPanorama HomeRenderer::RenderView(int camera_idx, const Camera& view,
                                           const Eigen::Matrix3d& pano_from_view,
                                           RunContext& context) const {
   ENFILADE_CHECK(view.model == CameraModel::kPinhole);
-  uint64_t seed = PartSeed(home_->home.seed + 3, static_cast<uint64_t>(camera_idx));
+  uint64_t seed = PartSeed(home().seed + 3, static_cast<uint64_t>(camera_idx));
   for (const double entry : pano_from_view.reshaped())
     seed = PartSeed(seed, std::bit_cast<uint64_t>(entry));
   return RenderPicture(camera_idx, view, pano_from_view, seed, context);
@@ -401,31 +415,31 @@ RenderedPanorama HomeRenderer::RenderView(int camera_idx, const Camera& view,
 RenderedPanorama HomeRenderer::RenderPicture(int camera_idx, const Camera& camera,
                                              const Eigen::Matrix3d& pano_from_cam, uint64_t seed,
                                              RunContext& context) const {
-  const Home& home = home_->home;
-  ENFILADE_CHECK(camera_idx >= 0 && camera_idx < static_cast<int>(home.cameras.size()));
-  const HomeCamera& home_camera = home.cameras[static_cast<size_t>(camera_idx)];
+  const auto storey_idx = static_cast<size_t>(home().StoreyOfCamera(camera_idx));
+  const LitStorey& lit = *storeys_[storey_idx];
+  const HomeCamera& home_camera = home().cameras[static_cast<size_t>(camera_idx)];
   const Rigid3& home_from_pano = home_camera.home_from_cam;
   const bool is_panorama = camera.model == CameraModel::kEquirectangular;
-  const double stand_share = is_panorama ? home_->options.stand_share : 0;
-  std::vector<Eigen::Vector2d> offsets = SampleOffsets(home_->options.samples_per_pixel);
+  const double stand_share = is_panorama ? lit.options.stand_share : 0;
+  std::vector<Eigen::Vector2d> offsets = SampleOffsets(lit.options.samples_per_pixel);
   offsets.emplace_back(0.5, 0.5);
   const ImageSize size{camera.width, camera.height};
   const PixelJob job{
-      .lit = *home_,
+      .lit = lit,
       .size = size,
       .origin = home_from_pano.translation.cast<float>(),
-      .world_from_home = home.home_from_world.rotation.transpose(),
+      .world_from_home = home().home_from_world.rotation.transpose(),
       .stand_share = stand_share,
       .stand_shares = StandShares(stand_share, size.width, Random(seed).Uniform()),
-      .exposure = static_cast<float>(home_camera.exposure) *
-                  home_->exposure_of_room.at(home_camera.room_id),
+      .exposure =
+          static_cast<float>(home_camera.exposure) * lit.exposure_of_room.at(home_camera.room_id),
       .rays = PixelRays(camera, home_from_pano.rotation * pano_from_cam, std::move(offsets))};
   RenderedPanorama out = BlankPanorama(size);
   ImageF ideal(size.height, size.width, 3);
   ParallelFor(context, is_panorama ? "panorama" : "view", size.height,
               [&](int64_t row) { RenderRow(job, static_cast<int>(row), ideal, out); });
-  out.rgb = ExposeSensor(std::move(ideal), home_->options.blur_px, home_->options.noise,
-                         is_panorama, seed);
+  out.rgb =
+      ExposeSensor(std::move(ideal), lit.options.blur_px, lit.options.noise, is_panorama, seed);
   return out;
 }
 

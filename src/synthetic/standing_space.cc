@@ -21,14 +21,19 @@ Ring2 HoleOf(const HomeOpening& opening) {
 
 }  // namespace
 
-StandingSpace::StandingSpace(const Home& home)
-    : home_(home), solid_(MakePlanSegments(home)), holes_(home.openings.size()) {
+StandingSpace::StandingSpace(const Home& home, int storey_idx)
+    : home_(home),
+      storey_idx_(storey_idx),
+      solid_(MakePlanSegments(home, storey_idx)),
+      holes_(home.openings.size()) {
   for (const HomeBox& box : home.boxes) {
+    if (!home.IsOnStorey(box.room_id, storey_idx)) continue;
     if (box.z0 - home.RoomById(box.room_id).floor_z < kHeadroom_m)
       things_.push_back(box.Footprint());
   }
   for (size_t i = 0; i < home.openings.size(); ++i) {
     const HomeOpening& opening = home.openings[i];
+    if (!home.IsOnStorey(opening.room_id, storey_idx)) continue;
     if (opening.IsPassable()) holes_[i] = HoleOf(opening);
     if (opening.leaf == DoorLeaf::kOpen) things_.push_back(OpenLeaf(opening).Footprint());
   }
@@ -36,7 +41,7 @@ StandingSpace::StandingSpace(const Home& home)
 
 std::optional<int> StandingSpace::RoomAt(const Vector2d& p) const {
   for (const HomeRoom& room : home_.rooms) {
-    if (Contains(room.polygon, p)) return room.id;
+    if (room.storey_idx == storey_idx_ && Contains(room.polygon, p)) return room.id;
   }
   for (size_t i = 0; i < holes_.size(); ++i) {
     if (!holes_[i].empty() && Contains(holes_[i], p)) return home_.openings[i].room_id;

@@ -10,11 +10,11 @@
 
 namespace enfilade {
 
-/// The floor that one can stand on: rooms and open doorways, without furniture.
+/// The floor of a storey that one can stand on: rooms and open doorways, without furniture.
 class StandingSpace {
  public:
   /// `home` must outlive it.
-  explicit StandingSpace(const Home& home);
+  StandingSpace(const Home& home, int storey_idx);
 
   /// Distance from `p` to the nearest wall or thing; negative where nobody can stand.
   [[nodiscard]] double Clearance(const Eigen::Vector2d& p) const;
@@ -24,6 +24,7 @@ class StandingSpace {
  private:
   static constexpr double kHeadroom_m = 1.9;  // things that hang higher are in nobody's way
   const Home& home_;
+  int storey_idx_;
   PlanSegments solid_;
   std::vector<Ring2> holes_;  ///< by opening; empty ones cannot be walked through
   std::vector<Ring2> things_;

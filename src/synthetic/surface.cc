@@ -71,4 +71,12 @@ std::vector<Surface> MakeSurfaces(const Home& home) {
   return list.Take();
 }
 
+std::vector<Surface> MakeSurfaces(const Home& home, int storey_idx) {
+  std::vector<Surface> surfaces = MakeSurfaces(home);
+  std::erase_if(surfaces, [&](const Surface& surface) {
+    return !home.IsOnStorey(surface.room_id, storey_idx);
+  });
+  return surfaces;
+}
+
 }  // namespace enfilade

@@ -68,6 +68,9 @@ class SurfaceList {
 /// All surfaces of a home: shell, trim and furniture. Lamps are not among them.
 [[nodiscard]] std::vector<Surface> MakeSurfaces(const Home& home);
 
+/// Those of one storey: what its cameras see.
+[[nodiscard]] std::vector<Surface> MakeSurfaces(const Home& home, int storey_idx);
+
 /// Floors, ceilings and walls with their holes, and the reveals of the holes.
 void AddShell(const Home& home, SurfaceList& list);
 

@@ -142,9 +142,12 @@ bool StandsBetween(const HomeBox& box, const Vector3d& from, const Vector3d& to)
 
 double HiddenFloorLineShare(const Home& home) {
   constexpr int kDirections = 360;
-  const PlanSegments segments = MakePlanSegments(home);
+  std::vector<PlanSegments> storeys;
+  for (int i = 0; i < home.NumStoreys(); ++i) storeys.push_back(MakePlanSegments(home, i));
   int num_seen = 0, num_hidden = 0;
   for (const HomeCamera& camera : home.cameras) {
+    const int storey_idx = home.RoomById(camera.room_id).storey_idx;
+    const PlanSegments& segments = storeys[static_cast<size_t>(storey_idx)];
     const Vector3d eye = camera.home_from_cam.translation;
     const double floor_z = home.RoomById(camera.room_id).floor_z;
     for (int i = 0; i < kDirections; ++i) {
@@ -167,31 +170,40 @@ double HiddenFloorLineShare(const Home& home) {
 Floorplan TruthFloorplan(const Home& home) {
   Floorplan plan;
   plan.home_from_world = home.home_from_world;
-  Storey storey;
-  storey.floor_z = home.rooms.empty() ? 0 : home.rooms[0].floor_z;
+  plan.storeys.resize(static_cast<size_t>(home.NumStoreys()));
+  for (size_t i = 0; i < plan.storeys.size(); ++i) plan.storeys[i].id = static_cast<int>(i);
+  const auto storey_of = [&](int room_id) -> Storey& {
+    return plan.storeys[static_cast<size_t>(home.RoomById(room_id).storey_idx)];
+  };
   for (const HomeRoom& room : home.rooms) {
+    Storey& storey = storey_of(room.id);
+    if (storey.rooms.empty()) storey.floor_z = room.floor_z;
     storey.rooms.push_back({.id = room.id,
                             .polygon = room.polygon,
                             .floor_z = room.floor_z,
                             .ceiling_z = MeanCeiling(room),
                             .has_level_ceiling = room.HasLevelCeiling()});
   }
-  storey.walls = TruthWalls(home);
-  storey.openings = TruthOpenings(home);
-  plan.storeys.push_back(std::move(storey));
+  for (Wall& wall : TruthWalls(home)) storey_of(wall.room_id).walls.push_back(wall);
+  for (Opening& opening : TruthOpenings(home))
+    storey_of(opening.room_id).openings.push_back(opening);
   for (size_t i = 0; i < home.cameras.size(); ++i) {
     PlanCamera camera;
     camera.picture = home.cameras[i].picture;
+    camera.storey_idx = home.StoreyOfCamera(static_cast<int>(i));
     camera.world_from_cam = home.WorldFromCamera(static_cast<int>(i));
     plan.cameras.push_back(camera);
   }
   return plan;
 }
 
-PlanSegments MakePlanSegments(const Home& home) {
+PlanSegments MakePlanSegments(const Home& home, int storey_idx) {
   PlanSegments segments;
-  for (const HomeWall& wall : HomeWalls(home)) AddSolidParts(home, wall, segments.walls);
+  for (const HomeWall& wall : HomeWalls(home)) {
+    if (home.IsOnStorey(wall.room_id, storey_idx)) AddSolidParts(home, wall, segments.walls);
+  }
   for (const HomeOpening& opening : home.openings) {
+    if (!home.IsOnStorey(opening.room_id, storey_idx)) continue;
     if (opening.leaf == DoorLeaf::kOpen) {
       AddRing(OpenLeaf(opening).Footprint(), opening.room_id, segments.obstacles);
     }
@@ -201,7 +213,8 @@ PlanSegments MakePlanSegments(const Home& home) {
     segments.walls.push_back({opening.b + through, opening.b, opening.room_id, -1});
   }
   for (const HomeBox& box : home.boxes) {
-    if (box.z0 - home.RoomById(box.room_id).floor_z > kHanging_m) continue;
+    const HomeRoom& room = home.RoomById(box.room_id);
+    if (room.storey_idx != storey_idx || box.z0 - room.floor_z > kHanging_m) continue;
     AddRing(box.Footprint(), box.room_id, segments.obstacles);
   }
   return segments;

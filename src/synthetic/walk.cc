@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "src/synthetic/cameras.h"
-#include "src/synthetic/outline.h"
 #include "src/synthetic/standing_space.h"
+#include "src/synthetic/storeys.h"
 
 namespace enfilade {
 namespace {
@@ -36,11 +36,8 @@ struct WalkGrid {
 };
 
 WalkGrid MakeGrid(const Home& home) {
-  Ring2 corners;
-  for (const HomeRoom& room : home.rooms)
-    corners.insert(corners.end(), room.polygon.outer.begin(), room.polygon.outer.end());
-  const Rectangle bounds = BoundsOf(corners);
-  const StandingSpace space(home);
+  const Rectangle bounds = GroundOf(home);
+  const StandingSpace space(home, 0);
   WalkGrid grid;
   grid.origin = bounds.min;
   grid.cols = static_cast<int>(bounds.Size().x() / kCell_m) + 1;
@@ -163,7 +160,7 @@ bool PlaceWalkCameras(Home& home, Random& random) {
   const std::vector<Vector2d> path = WalkPast(grid, stops);
   if (path.size() < 2) return false;
   const std::vector<Vector2d> points = Resample(path, random);
-  const StandingSpace space(home);
+  const StandingSpace space(home, 0);
   const double height_m = random.Millimetres(1.5, 1.7);  // held up, or on a helmet
   for (size_t i = 0; i < points.size(); ++i) {
     const Vector2d ahead =

@@ -198,6 +198,7 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
     PlanCamera camera;
     camera.picture = picture.name;
     camera.sha256 = Sha256(jpeg);
+    camera.storey_idx = home.StoreyOfCamera(picture.camera_idx);
     camera.world_from_cam = PoseOf(picture, home.WorldFromCamera(picture.camera_idx));
     truth.cameras.push_back(camera);
     if (options.has_pixel_truth)

@@ -5,13 +5,17 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "enfilade/base/file.h"
 #include "enfilade/base/json.h"
+#include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/geometry/boolean.h"
 #include "tests/e2e/program.h"
 #include "tests/support/temp_folder.h"
 
@@ -41,6 +45,12 @@ void ExpectSameFiles(const std::map<std::string, std::string>& a,
     EXPECT_TRUE(b.at(name) == bytes) << name << " differs";
   }
   EXPECT_EQ(a.size(), b.size());
+}
+
+MultiPolygon2 RoomsOf(const Storey& storey) {
+  MultiPolygon2 rooms;
+  for (const Room& room : storey.rooms) rooms.push_back(room.polygon);
+  return rooms;
 }
 
 class Run : public testing::Test {
@@ -162,6 +172,56 @@ TEST_F(Run, JsonLogHasOneObjectALine) {
     ++num_lines;
   }
   EXPECT_GE(num_lines, 6u);
+}
+
+// Judged storey by storey: evaluate lays them on one another.
+TEST(RunStoreys, FindsBothStoreysOfAFlat) {
+  const TempFolder folder;
+  const ProgramResult made = RunProgram(
+      {"synth", "-o", folder / "home", "--seed", "2", "--home.storeys", "2", "--home.rooms", "3",
+       "--home.furniture", "0", "--width", "320", "--pictures.render.light_cell_m", "0.1",
+       "--pictures.render.gather_rays", "32", "--pictures.render.bounces", "2"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("of 6 rooms on 2 storeys"));
+  const ProgramResult run = RunProgram({"run", folder / "home", "-o", folder / "out"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(RunProgram({"evaluate", folder / "out", "--truth", folder / "home"}).exit_code, 0);
+  EXPECT_GE(ReadJsonFile(folder / "out/evaluation.json").at("area_iou_gross").get<double>(), 0.95);
+
+  const Floorplan plan = ReadFloorplanJson(folder / "out/floorplan.json"),
+                  truth = ReadFloorplanJson(folder / "home/truth/floorplan.json");
+  ASSERT_EQ(truth.storeys.size(), 2u);
+  ASSERT_EQ(plan.storeys.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(plan.storeys[i].rooms.size(), 3u);
+    EXPECT_NEAR(plan.storeys[i].floor_z, truth.storeys[i].floor_z, 0.1);
+    const Rigid3 truth_from_plan = truth.home_from_world * plan.home_from_world.Inverse();
+    MultiPolygon2 found = RoomsOf(plan.storeys[i]);
+    for (Polygon2& room : found) {
+      for (Eigen::Vector2d& p : room.outer)
+        p = (truth_from_plan * Eigen::Vector3d(p.x(), p.y(), 0)).head<2>();
+    }
+    EXPECT_GE(AreaIou(Union(found), RoomsOf(truth.storeys[i])), 0.95);
+  }
+  for (const PlanCamera& camera : plan.cameras) {
+    const auto other = std::find_if(truth.cameras.begin(), truth.cameras.end(),
+                                    [&](const PlanCamera& c) { return c.sha256 == camera.sha256; });
+    ASSERT_NE(other, truth.cameras.end());
+    EXPECT_EQ(camera.storey_idx, other->storey_idx);
+  }
+}
+
+TEST(Synth, RefusesWhatDoesNotGoTogether) {
+  const TempFolder folder;
+  const auto refused = [&](std::vector<std::string> options, const std::string& text) {
+    options.insert(options.begin(), {"synth", "-o", folder / "home"});
+    ExpectRefusal(RunProgram(options), text);
+    EXPECT_FALSE(fs::exists(folder / "home"));
+  };
+  refused({"--preset", "walk", "--home.storeys", "2"}, "give the preset flat or tour");
+  refused({"--home.storeys", "4"}, "storeys");
+  refused({"--preset", "tour", "--home.rooms", "200"}, "have 5 to 8");
 }
 
 TEST(Sfm, TakesPerspectiveViews) {

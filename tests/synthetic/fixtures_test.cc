@@ -10,6 +10,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/synthetic/text_home.h"
+#include "enfilade/synthetic/truth.h"
 
 namespace enfilade {
 namespace {
@@ -38,6 +39,29 @@ TEST(FixtureStructure, ProfileOfAClosedRoomIsItsOutline) {
     EXPECT_NEAR(structure.bin_m[best], expected_m, 0.01 * expected_m);  // half a bin
   }
   EXPECT_NEAR(profile.obstacle_m[256], 2, 0.01);  // straight into the box
+}
+
+TEST(FixtureStructure, CamerasLookAtTheWallsOfTheirStorey) {
+  const Home home = MakeHome({.seed = 5, .storeys = 2, .furniture = 0});
+  const Structure structure = FixtureStructure(home);
+  ASSERT_EQ(structure.storeys.size(), 2u);
+  EXPECT_GT(structure.storeys[1].floor_z, structure.storeys[0].ceiling_z);
+  size_t num_samples = 0;
+  for (int storey_idx : {0, 1}) {
+    const PlanSegments segments = MakePlanSegments(home, storey_idx);
+    const WallSampleSet samples = FixtureWallSamples(home, {}, storey_idx);
+    num_samples += samples.samples.size();
+    for (size_t i = 0; i < home.cameras.size(); ++i) {
+      if (home.StoreyOfCamera(static_cast<int>(i)) != storey_idx) continue;
+      const WallProfile& profile = structure.profiles[i];
+      EXPECT_DOUBLE_EQ(profile.floor_z, structure.storeys[static_cast<size_t>(storey_idx)].floor_z);
+      const auto hit = CastPlanRay(
+          segments.walls, home.cameras[i].home_from_cam.translation.head<2>(),
+          Eigen::Rotation2Dd(AzimuthOfColumn(100, profile.num_columns())) * Eigen::Vector2d(1, 0));
+      EXPECT_NEAR(profile.wall_m[100], hit.value().distance_m, 1e-5);
+    }
+  }
+  EXPECT_EQ(num_samples, 512 * home.cameras.size());
 }
 
 TEST(FixtureWallSamples, NoiseHasTheAskedSize) {

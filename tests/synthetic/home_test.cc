@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
@@ -26,10 +27,11 @@ constexpr int kSeeds = 100;
 constexpr int kSeeds = 1000;
 #endif
 
-Home Make(int seed, HomePreset preset) {
+Home Make(int seed, HomePreset preset, int storeys = 1) {
   HomeOptions options;
   options.seed = seed;
   options.preset = preset;
+  options.storeys = storeys;
   return MakeHome(options);
 }
 
@@ -37,13 +39,16 @@ Home Make(int seed, HomePreset preset) {
 // doorways.
 void ExpectSoundPlan(const Home& home) {
   ASSERT_THAT(HomeProblems(home), IsEmpty());
-  MultiPolygon2 all;
-  double sum_m2 = 0;
-  for (const HomeRoom& room : home.rooms) {
-    all = Union(all, {room.polygon});
-    sum_m2 += Area(room.polygon);
+  for (int storey_idx = 0; storey_idx < home.NumStoreys(); ++storey_idx) {
+    MultiPolygon2 rooms;
+    double sum_m2 = 0;
+    for (const HomeRoom& room : home.rooms) {
+      if (room.storey_idx != storey_idx) continue;
+      rooms.push_back(room.polygon);
+      sum_m2 += Area(room.polygon);
+    }
+    EXPECT_NEAR(Area(Union(rooms)), sum_m2, 1e-6);
   }
-  EXPECT_NEAR(Area(all), sum_m2, 1e-6);
   for (const HomeCamera& camera : home.cameras) {
     const Eigen::Vector2d p = camera.home_from_cam.translation.head<2>();
     const bool is_in_doorway =
@@ -55,8 +60,8 @@ void ExpectSoundPlan(const Home& home) {
   }
 }
 
-std::set<int> ReachableRooms(const Home& home) {
-  std::set<int> reached = {home.rooms[0].id};
+std::set<int> ReachableRooms(const Home& home, int from_room_id = 0) {
+  std::set<int> reached = {from_room_id};
   for (size_t pass = 0; pass < home.rooms.size(); ++pass) {
     for (const HomeOpening& opening : home.openings) {
       if (!opening.IsPassable()) continue;
@@ -321,6 +326,73 @@ TEST(MakeHome, HardHomesHoldWhatThePresetPromisesOver1000Seeds) {
   }
   EXPECT_GE(num_sloped, kSeeds / 5);
   EXPECT_GE(num_loops, 3 * kSeeds / 10);
+}
+
+// Ids are dense and name each room, opening and picture once; what stands in a room lies between
+// its floor and its ceiling.
+void ExpectSoundStoreys(const Home& home) {
+  double ceiling_z = -1e9;
+  for (int storey_idx = 0; storey_idx < home.NumStoreys(); ++storey_idx) {
+    double lowest_z = 1e9, highest_z = -1e9;
+    size_t num_rooms = 0;
+    int first_id = -1;
+    for (const HomeRoom& room : home.rooms) {
+      if (room.storey_idx != storey_idx) continue;
+      if (num_rooms++ == 0) first_id = room.id;
+      lowest_z = std::min(lowest_z, room.floor_z);
+      highest_z = std::max(highest_z, room.ceiling_z);
+      EXPECT_TRUE(room.HasLevelCeiling());
+    }
+    EXPECT_GE(lowest_z, ceiling_z + 0.299);
+    ceiling_z = highest_z;
+    EXPECT_EQ(ReachableRooms(home, first_id).size(), num_rooms);
+  }
+  for (size_t i = 0; i < home.rooms.size(); ++i) EXPECT_EQ(home.rooms[i].id, static_cast<int>(i));
+  for (size_t i = 0; i < home.openings.size(); ++i)
+    EXPECT_EQ(home.openings[i].id, static_cast<int>(i));
+  std::set<std::string> pictures;
+  for (const HomeCamera& camera : home.cameras) {
+    pictures.insert(camera.picture);
+    const double height_m =
+        camera.home_from_cam.translation.z() - home.RoomById(camera.room_id).floor_z;
+    EXPECT_GT(height_m, 1.25);
+    EXPECT_LT(height_m, 1.7);
+  }
+  EXPECT_EQ(pictures.size(), home.cameras.size());
+  for (const HomeLamp& lamp : home.lamps)
+    EXPECT_GT(home.RoomById(lamp.room_id).CeilingAt(lamp.center.head<2>()), lamp.center.z());
+}
+
+TEST(MakeHome, StoreysLieOnEachOtherOver300Seeds) {
+  for (int seed = 0; seed < 3 * kSeeds / 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const HomePreset preset = seed % 2 == 0 ? HomePreset::kFlat : HomePreset::kTour;
+    const int storeys = 2 + seed / 2 % 2;
+    const Home home = Make(seed, preset, storeys);
+    EXPECT_EQ(home.NumStoreys(), storeys);
+    ASSERT_NO_FATAL_FAILURE(ExpectSoundPlan(home));
+    ExpectSoundStoreys(home);
+    if (preset == HomePreset::kFlat) ExpectPromisedCameras(home);
+  }
+}
+
+// The lowest storey of a flat or the one above it is the flat that the seed gives alone.
+TEST(MakeHome, StoreysDoNotChangeTheHomeOfTheSeed) {
+  const Home one = Make(4, HomePreset::kFlat), two = Make(4, HomePreset::kFlat, 2);
+  std::vector<double> areas;
+  for (const HomeRoom& room : two.rooms) areas.push_back(Area(room.polygon));
+  for (const HomeRoom& room : one.rooms)
+    EXPECT_THAT(areas, ::testing::Contains(::testing::DoubleNear(Area(room.polygon), 1e-9)));
+  EXPECT_EQ(two.seed, 4u);
+}
+
+TEST(MakeHome, OnlyFlatsAndToursHaveStoreys) {
+  for (const HomePreset preset :
+       {HomePreset::kRoom, HomePreset::kFurnished, HomePreset::kWalk, HomePreset::kHard}) {
+    EXPECT_THROW((void)Make(1, preset, 2), InvalidInputError);
+  }
+  EXPECT_THROW((void)Make(1, HomePreset::kFlat, 0), InvalidInputError);
+  EXPECT_THROW((void)Make(1, HomePreset::kFlat, 4), InvalidInputError);
 }
 
 TEST(MakeHome, SameSeedSameHomeOtherSeedOtherHome) {

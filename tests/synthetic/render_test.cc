@@ -383,5 +383,27 @@ TEST(Render, RefusesOptionsOutOfRange) {
   EXPECT_THROW(HomeRenderer(TextHome("room 0,0 4,0 4,3 0,3"), options, context), InvalidInputError);
 }
 
+// Also out of the windows, where the other storey would stand in the view.
+TEST(Render, CamerasSeeTheirOwnStoreyOnly) {
+  constexpr ImageSize kSmall{128, 64};
+  const Home home = MakeHome({.seed = 2, .storeys = 2});
+  RunContext context(2);
+  RenderOptions options = Quick();
+  options.light_cell_m = 0.3;
+  const HomeRenderer renderer(home, options, context);
+  for (int i = 0; i < static_cast<int>(home.cameras.size()); ++i) {
+    const RenderedPanorama out = renderer.Render(i, kSmall, context);
+    int64_t num_rooms_seen = 0, grey = 0;
+    for (const int16_t room_id : out.room_id.data()) {
+      if (room_id < 0) continue;
+      ++num_rooms_seen;
+      ASSERT_TRUE(home.IsOnStorey(room_id, home.StoreyOfCamera(i)));
+    }
+    for (const uint8_t value : out.rgb.data()) grey += value;
+    EXPECT_GT(num_rooms_seen, 0.8 * kSmall.width * kSmall.height);
+    EXPECT_GT(static_cast<double>(grey) / static_cast<double>(out.rgb.data().size()), 90);
+  }
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -55,6 +55,26 @@ TEST(TextHome, RefusesMalformedText) {
   EXPECT_THROW((void)TextHome("room 0,0 4,0 4,3 0,3 | camera 9,9"), std::logic_error);
 }
 
+TEST(HomeProblems, StoreysNeedAFloorBetween) {
+  // One room above the other.
+  Home home =
+      TextHome("room 0,0 4,0 4,3 0,3 | room 4.1,0 8,0 8,3 4.1,3 | door 4,1 4,1.8 height 2.5");
+  EXPECT_THAT(HomeProblems(home), IsEmpty());
+  const auto num_problems = [&] { return HomeProblems(home).size(); };
+  home.rooms[1].storey_idx = 1;
+  EXPECT_EQ(num_problems(), 1u);  // as high as the first
+  home.rooms[1].floor_z += 2.9;
+  home.rooms[1].ceiling_z += 2.9;
+  EXPECT_GE(num_problems(), 1u);  // the door leads to another storey, the camera has stayed below
+  home.openings.clear();
+  home.cameras.pop_back();
+  EXPECT_EQ(num_problems(), 0u);
+  home.rooms[1].polygon = home.rooms[0].polygon;
+  EXPECT_EQ(num_problems(), 0u);
+  home.rooms[1].storey_idx = 2;
+  EXPECT_GE(num_problems(), 1u);  // no room on the storey between
+}
+
 TEST(HomeProblems, FindsEachPlantedFault) {
   const std::string room = "room 0,0 4,0 4,3 0,3 | ";
   const auto problems = [](const std::string& text) { return HomeProblems(TextHome(text)).size(); };

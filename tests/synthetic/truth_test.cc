@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "enfilade/geometry/angles.h"
@@ -36,6 +37,50 @@ TEST(TruthFloorplan, TellsNeighboursThicknessAndOpenings) {
   const Eigen::Vector3d x_in_world = plan.home_from_world.Inverse() * Eigen::Vector3d(1, 0, 0);
   EXPECT_NEAR(std::atan2(x_in_world.y(), x_in_world.x()), 0.3, 1e-12);
   EXPECT_EQ(plan.cameras.size(), 2u);
+}
+
+TEST(TruthFloorplan, EveryStoreyHasItsOwnRoomsWallsAndCameras) {
+  const Home home = MakeHome({.seed = 3, .storeys = 2});
+  const Floorplan plan = TruthFloorplan(home);
+  ASSERT_EQ(plan.storeys.size(), 2u);
+  std::set<int> walls;
+  size_t num_rooms = 0, num_openings = 0;
+  for (size_t i = 0; i < plan.storeys.size(); ++i) {
+    const Storey& storey = plan.storeys[i];
+    EXPECT_EQ(storey.id, static_cast<int>(i));
+    num_rooms += storey.rooms.size();
+    num_openings += storey.openings.size();
+    std::set<int> rooms;
+    for (const Room& room : storey.rooms) {
+      rooms.insert(room.id);
+      EXPECT_DOUBLE_EQ(room.floor_z, storey.floor_z);
+      EXPECT_EQ(home.RoomById(room.id).storey_idx, static_cast<int>(i));
+    }
+    for (const Wall& wall : storey.walls) {
+      EXPECT_TRUE(walls.insert(wall.id).second);
+      EXPECT_TRUE(rooms.contains(wall.room_id));
+      EXPECT_TRUE(!wall.other_room_id || rooms.contains(*wall.other_room_id));
+    }
+    for (const Opening& opening : storey.openings) EXPECT_TRUE(rooms.contains(opening.room_id));
+  }
+  EXPECT_GT(plan.storeys[1].floor_z, plan.storeys[0].floor_z + 2.6 - 1e-9);
+  EXPECT_EQ(num_rooms, home.rooms.size());
+  EXPECT_EQ(num_openings, home.openings.size());
+  EXPECT_EQ(walls.size(), HomeWalls(home).size());
+  for (size_t i = 0; i < plan.cameras.size(); ++i)
+    EXPECT_EQ(plan.cameras[i].storey_idx, home.StoreyOfCamera(static_cast<int>(i)));
+}
+
+TEST(MakePlanSegments, KnowsOneStoreyAtATime) {
+  const Home home = MakeHome({.seed = 3, .storeys = 2});
+  for (int storey_idx : {0, 1}) {
+    const PlanSegments segments = MakePlanSegments(home, storey_idx);
+    EXPECT_FALSE(segments.walls.empty());
+    for (const auto* kind : {&segments.walls, &segments.obstacles}) {
+      for (const PlanSegment& segment : *kind)
+        EXPECT_EQ(home.RoomById(segment.room_id).storey_idx, storey_idx);
+    }
+  }
 }
 
 TEST(CastPlanRay, LooksThroughOpenDoorsAndStopsAtClosedOnes) {

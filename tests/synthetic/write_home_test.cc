@@ -162,6 +162,26 @@ TEST(WriteHome, SameHomeSameBytes) {
   }
 }
 
+TEST(WriteHome, ReadersTellStoreysApart) {
+  const TempFolder folder;
+  const Home home = MakeHome({.seed = 1, .rooms = 3, .storeys = 2, .furniture = 0});
+  RunContext context(2);
+  WriteHomeOptions options = Quick();
+  options.width = 64;
+  options.render.light_cell_m = 0.5;
+  WriteHome(folder.path(), home, options, context);
+  const Floorplan truth = ReadFloorplanJson(folder / "truth/floorplan.json");
+  ASSERT_EQ(truth.storeys.size(), 2u);
+  const Scene scene = ReadScene(folder.path(), {}, context).scene;
+  ASSERT_EQ(scene.views.size(), home.cameras.size());
+  for (const View& view : scene.views) {
+    const auto camera = std::find_if(truth.cameras.begin(), truth.cameras.end(),
+                                     [&](const PlanCamera& c) { return c.sha256 == view.sha256; });
+    ASSERT_NE(camera, truth.cameras.end());
+    EXPECT_EQ(view.storey_idx, camera->storey_idx);
+  }
+}
+
 TEST(WriteHome, RefusesBadOptionsAndPlaces) {
   const TempFolder folder;
   RunContext context;

@@ -25,11 +25,13 @@ struct ProfileNoise {
 };
 
 /// The structure that a perfect (or, with noise, an imperfect) stage would find: directions,
-/// heights and one wall profile per camera, by casting rays through the true plan.
+/// heights of every storey and one wall profile per camera, by casting rays through the true plan
+/// of its storey.
 [[nodiscard]] Structure FixtureStructure(const Home& home, const ProfileNoise& noise = {});
 
-/// The same as wall samples, one per camera and column that saw something.
-[[nodiscard]] WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise = {});
+/// The same as wall samples, one per camera of the storey and column that saw something.
+[[nodiscard]] WallSampleSet FixtureWallSamples(const Home& home, const ProfileNoise& noise = {},
+                                               int storey_idx = 0);
 
 /// The views of the home's cameras with their poses and no pictures, in the order of home.cameras.
 [[nodiscard]] Scene FixtureScene(const Home& home, int width = 1024, int height = 512);

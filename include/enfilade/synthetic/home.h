@@ -28,6 +28,7 @@ struct HomeOptions {
   int seed = 1;
   HomePreset preset = HomePreset::kFlat;
   int rooms = 0;
+  int storeys = 1;
   double furniture = 0.5;
 
   void Visit(OptionVisitor& v) {
@@ -36,7 +37,10 @@ struct HomeOptions {
       "room: one room; flat: three to five rooms joined by doors; tour: 5 to 8 rooms as an agent "
       "photographs them; furnished: a flat whose furniture hides 40 % of the floor line; walk: a "
       "flat along a dense path; hard: open plan, glass, mirrors, tilt, pillars, niches.");
-    v("rooms", rooms, "Number of rooms, within what the preset allows; 0: drawn.", {0, 1000});
+    v("rooms", rooms, "Number of rooms on a storey, within what the preset allows; 0: drawn.",
+      {0, 1000});
+    v("storeys", storeys, "Storeys on top of each other; more than one for flat and tour only.",
+      {1, 3});
     v("furniture", furniture, "Share of the furniture that a room can take, 0 for empty rooms.",
       {0.0, 1.0});
   }
@@ -49,6 +53,7 @@ enum class RoomUse { kLiving, kBedroom, kKitchen, kBath, kHall, kCloset };
 /// The region inside the inner faces of a room's walls, from a level floor to a plane ceiling.
 struct HomeRoom {
   int id = 0;
+  int storey_idx = 0;  ///< from bottom to top
   Polygon2 polygon;
   double floor_z = 0;
   double ceiling_z = 2.5;               ///< of its lowest point
@@ -146,6 +151,9 @@ struct Home {
   std::vector<HomeCamera> cameras;
 
   [[nodiscard]] const HomeRoom& RoomById(int id) const;
+  [[nodiscard]] int NumStoreys() const;
+  [[nodiscard]] bool IsOnStorey(int room_id, int storey_idx) const;
+  [[nodiscard]] int StoreyOfCamera(int camera_idx) const;
   [[nodiscard]] Rigid3 WorldFromCamera(int camera_idx) const;
   /// The pose as the pose file gives it.
   [[nodiscard]] Rigid3 ClaimedWorldFromCamera(int camera_idx) const;
@@ -171,13 +179,18 @@ struct Home {
 /// two mirrors, a pillar, a curved wall, cabinets up to the ceiling, loops of rooms, furniture in
 /// all rooms, cameras that lean by up to 2° and exposures that differ by up to 1.4 stops.
 ///
+/// Flats and tours may have several storeys: each is such a home of its own, entered by a closed
+/// door as from a stairwell, with level ceilings; those with less ground lie higher, centred over
+/// the lowest, with 0.3 m between the highest ceiling and the floor above. Room ids, pictures and
+/// furniture are numbered from bottom to top. A home of one storey is the same as ever.
+///
 /// Throws InvalidInputError for options out of range.
 [[nodiscard]] Home MakeHome(const HomeOptions& options);
 
-/// What is wrong with a home, one line a fault; empty for a valid one. Rooms must be simple,
-/// disjoint and apart by their walls; openings lie within a wall face (and within the face
-/// opposite), apart from each other; furniture stands inside its room, free of doors and other
-/// furniture; cameras stand in free space.
+/// What is wrong with a home, one line a fault; empty for a valid one. Rooms of a storey must be
+/// simple, disjoint and apart by their walls, storeys apart by a floor; openings lie within a wall
+/// face (and within the face opposite), apart from each other; furniture stands inside its room,
+/// free of doors and other furniture; cameras stand in free space.
 [[nodiscard]] std::vector<std::string> HomeProblems(const Home& home);
 
 /// One face of a wall, from a to b with the room on its left.

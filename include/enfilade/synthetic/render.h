@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "enfilade/base/run_context.h"
 #include "enfilade/exchange/pixel_truth.h"
@@ -51,9 +52,10 @@ struct RenderedPanorama {
   Image<int16_t> wall_id;  ///< as in HomeWalls; −1 on everything that is no wall
 };
 
-struct LitHome;  // surfaces, tree and light: private to the renderer
+struct LitStorey;  // surfaces, tree and light: private to the renderer
 
-/// Renders pictures of a home: light is worked out once, then reused by every picture.
+/// Renders pictures of a home: light is worked out once, then reused by every picture. A camera
+/// sees its own storey only, and no light comes from another.
 ///
 /// Lamps and the sky in the windows light the surfaces directly with soft shadows; the reflected
 /// light is collected over the hemisphere on a coarse grid per surface, bounce by bounce (final
@@ -86,7 +88,9 @@ class HomeRenderer {
                                  const Eigen::Matrix3d& pano_from_cam, uint64_t seed,
                                  RunContext& context) const;
 
-  std::unique_ptr<const LitHome> home_;
+  [[nodiscard]] const Home& home() const;
+
+  std::vector<std::unique_ptr<const LitStorey>> storeys_;
 };
 
 }  // namespace enfilade

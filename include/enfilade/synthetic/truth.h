@@ -11,8 +11,9 @@
 
 namespace enfilade {
 
-/// The true plan in the home frame: rooms by their inner faces, one wall per wall face (ids as in
-/// HomeWalls), one opening per hole on the face of its first room, cameras without picture hash.
+/// The true plan in the home frame, storey by storey: rooms by their inner faces, one wall per wall
+/// face (ids as in HomeWalls), one opening per hole on the face of its first room; cameras without
+/// picture hash. No id is used on two storeys.
 [[nodiscard]] Floorplan TruthFloorplan(const Home& home);
 
 /// A vertical surface seen from above.
@@ -28,9 +29,9 @@ struct PlanSegments {
   std::vector<PlanSegment> obstacles;  ///< furniture on the floor and open door leaves
 };
 
-/// Passable openings are gaps in `walls`. Furniture that hangs more than 0.5 m above the floor is
-/// no obstacle.
-[[nodiscard]] PlanSegments MakePlanSegments(const Home& home);
+/// The segments of one storey. Passable openings are gaps in `walls`. Furniture that hangs more
+/// than 0.5 m above the floor is no obstacle.
+[[nodiscard]] PlanSegments MakePlanSegments(const Home& home, int storey_idx = 0);
 
 struct PlanHit {
   double distance_m = 0;
