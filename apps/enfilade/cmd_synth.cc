@@ -29,7 +29,7 @@ Action SetupSynth(CLI::App& parser) {
   arguments->common.Register(parser);
   arguments->options.Register(parser, VisitorOf(defaults));
   arguments->options.RegisterAlias(parser, "--preset", "home.preset",
-                                   "room, flat, tour, furnished, walk or hard");
+                                   "room, flat, tour, furnished, walk, hard or building");
   arguments->options.RegisterAlias(
       parser, "--width", "pictures.width",
       "Width of the panoramas in pixels; 2048 for tour and hard, else 1024");

@@ -115,7 +115,8 @@ double Clearance(const Home& home, int room_id, const Vector2d& p) {
     if (box.room_id == room_id) add_box(box);
   }
   for (const HomeOpening& opening : home.openings) {
-    if (opening.leaf == DoorLeaf::kOpen) add_box(OpenLeaf(opening));
+    // Leaves in other rooms are farther away than a wall.
+    if (opening.leaf == DoorLeaf::kOpen && opening.room_id == room_id) add_box(OpenLeaf(opening));
   }
   return nearest;
 }
@@ -193,6 +194,24 @@ bool PlaceCameras(Home& home, Random& random) {
       (void)AddPlace(home, cameras, random);
     }
     if (cameras.places.empty()) return false;
+    AddCameras(home, cameras, height_m, 0.01, random);
+  }
+  return true;
+}
+
+bool PlaceBuildingCameras(Home& home, Random& random) {
+  constexpr double kSpacing_m = 4, kAside_m = 0.15;
+  const double height_m = random.Millimetres(1.3, 1.6);
+  for (const HomeRoom& room : home.rooms) {
+    RoomCameras cameras{&room, {}, false};
+    if (room.use == RoomUse::kHall) {
+      cameras.places = PlacesAlong(BoundsOf(room.polygon.outer), kSpacing_m);
+      for (Vector2d& p : cameras.places) {
+        for (int k = 0; k < 2; ++k) p[k] += random.Millimetres(-kAside_m, kAside_m);
+      }
+    } else if (!AddPlace(home, cameras, random)) {
+      return false;
+    }
     AddCameras(home, cameras, height_m, 0.01, random);
   }
   return true;

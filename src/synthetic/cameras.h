@@ -22,6 +22,10 @@ namespace enfilade {
 /// the order of the path, looking ahead. Returns false when a room cannot be walked into.
 [[nodiscard]] bool PlaceWalkCameras(Home& home, Random& random);
 
+/// Puts one camera in every room of a building and one every 4 m along its corridors. Returns false
+/// when a room has no clear place.
+[[nodiscard]] bool PlaceBuildingCameras(Home& home, Random& random);
+
 /// pano_NNN.jpg, or longer for numbers from 1000 on.
 [[nodiscard]] std::string PictureName(size_t number);
 

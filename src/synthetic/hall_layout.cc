@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "src/synthetic/rectangle.h"
+#include "src/synthetic/room_row.h"
 #include "src/synthetic/rooms.h"
 
 namespace enfilade {
@@ -11,10 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kMinWidth_m = 2.3;
 constexpr double kMinArm_m = 1.7;
-
-double InnerThickness(Random& random) { return random.Millimetres(0.08, 0.20); }
 
 // A piece cut out of the top side of a rectangle, from `begin` to `end` along x.
 struct Notch {
@@ -40,31 +38,6 @@ Ring2 RingWithNotches(const Rectangle& r, const std::vector<Notch>& notches) {
     ring.emplace_back(r.min.x(), r.max.y());
   }
   return ring;
-}
-
-// Widths of `count` rooms with walls between them that fill `length_m`; none when one is too
-// narrow.
-std::optional<std::vector<Rectangle>> DivideRow(const Vector2d& low, double length_m,
-                                                double depth_m, int count, Random& random) {
-  std::vector<double> share, wall_m;
-  double sum = 0, usable_m = length_m;
-  for (int i = 0; i < count; ++i) {
-    share.push_back(random.Uniform(0.75, 1.3));
-    sum += share.back();
-    wall_m.push_back(i + 1 < count ? InnerThickness(random) : 0.0);
-    usable_m -= wall_m.back();
-  }
-  std::vector<Rectangle> row;
-  double x = low.x();
-  for (size_t i = 0; i < share.size(); ++i) {
-    const double end = i + 1 < share.size()
-                           ? x + std::round(1000 * usable_m * share[i] / sum) / 1000
-                           : low.x() + length_m;
-    if (end - x < kMinWidth_m) return std::nullopt;
-    row.push_back({{x, low.y()}, {end, low.y() + depth_m}});
-    x = end + wall_m[i];
-  }
-  return row;
 }
 
 // The hall, in the left part of `strip`, and the room at its end, which takes the rest of the

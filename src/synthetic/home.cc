@@ -36,8 +36,15 @@ std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, int asked_rooms, 
   Random count(PartSeed(seed, static_cast<uint64_t>(SeedPart::kRoomCount)));
   const int drawn = recipe.min_rooms + count.Index(recipe.max_rooms - recipe.min_rooms + 1);
   const int num_rooms = asked_rooms > 0 ? asked_rooms : drawn;
-  return recipe.layout == LayoutKind::kHall ? MakeHallLayout(num_rooms, random)
-                                            : MakeRoomLayout(num_rooms, random);
+  switch (recipe.layout) {
+    case LayoutKind::kBlocks:
+      return MakeRoomLayout(num_rooms, random);
+    case LayoutKind::kHall:
+      return MakeHallLayout(num_rooms, random);
+    case LayoutKind::kBuilding:
+      break;
+  }
+  return MakeBuildingLayout(num_rooms, random);
 }
 
 void AddRooms(Home& home, const RoomLayout& layout, Random& random) {
@@ -156,7 +163,10 @@ bool CutOpenings(Home& home, const HomeRecipe& recipe, double max_thickness_m, R
   for (int i = 0; i < recipe.num_wide_openings; ++i) {
     if (!AddWideOpening(home, max_thickness_m, random)) return false;
   }
-  if (!AddDoors(home, max_thickness_m, recipe.doors, random)) return false;
+  const bool has_doors = recipe.layout == LayoutKind::kBuilding
+                             ? AddCorridorDoors(home, max_thickness_m, random)
+                             : AddDoors(home, max_thickness_m, recipe.doors, random);
+  if (!has_doors) return false;
   for (int i = 0; i < recipe.num_glass_walls; ++i) {
     if (!AddGlassWall(home, max_thickness_m, random)) return false;
   }
@@ -183,9 +193,11 @@ bool PlaceAllCameras(Home& home, const HomeRecipe& recipe, Random& random) {
     case CameraPlan::kTour:
       return PlaceTourCameras(home, random);
     case CameraPlan::kWalk:
+      return PlaceWalkCameras(home, random);
+    case CameraPlan::kBuilding:
       break;
   }
-  return PlaceWalkCameras(home, random);
+  return PlaceBuildingCameras(home, random);
 }
 
 std::optional<Home> TryMakeStorey(const HomeRecipe& recipe, const HomeOptions& options,
@@ -198,8 +210,11 @@ std::optional<Home> TryMakeStorey(const HomeRecipe& recipe, const HomeOptions& o
   FitOutRooms(home, *layout, random);
   if (!ShapeRooms(home, recipe, random)) return std::nullopt;
   if (!CutOpenings(home, recipe, layout->max_wall_thickness_m + 1e-6, random)) return std::nullopt;
+  // Of many rooms one would always be too full for its camera: there furniture comes second.
+  const bool is_building = recipe.layout == LayoutKind::kBuilding;
+  if (is_building && !PlaceAllCameras(home, recipe, random)) return std::nullopt;
   if (!FillRooms(home, recipe, options.furniture, random)) return std::nullopt;
-  if (!PlaceAllCameras(home, recipe, random)) return std::nullopt;
+  if (!is_building && !PlaceAllCameras(home, recipe, random)) return std::nullopt;
   if (recipe.min_hidden_floor_line > 0 &&
       !HideFloorLine(home, recipe.min_hidden_floor_line, random)) {
     return std::nullopt;
@@ -211,6 +226,7 @@ std::optional<Home> TryMakeStorey(const HomeRecipe& recipe, const HomeOptions& o
                                           (6 + Area(room.polygon))));
   }
   HangLamps(home, radiance);
+  if (is_building) SpreadCorridorLamps(home);
   home.baseboard_m = random.Millimetres(0.06, 0.08);
   const double heading_rad =
       random.Uniform(DegToRad(3), DegToRad(42)) * (random.Chance(0.5) ? 1 : -1);
@@ -233,11 +249,11 @@ Home MakeStorey(const HomeRecipe& recipe, const HomeOptions& options, uint64_t s
 void CheckOptions(const HomeOptions& options, const HomeRecipe& recipe) {
   HomeOptions checked = options;
   ValidateOptions(VisitorOf(checked), "synthetic home");
-  if (options.rooms != 0 &&
-      (options.rooms < recipe.min_rooms || options.rooms > recipe.max_rooms)) {
+  const int most_rooms = std::max(recipe.max_rooms, recipe.most_rooms);
+  if (options.rooms != 0 && (options.rooms < recipe.min_rooms || options.rooms > most_rooms)) {
     throw InvalidInputError("rooms", "is " + std::to_string(options.rooms),
                             "homes of this preset have " + std::to_string(recipe.min_rooms) +
-                                " to " + std::to_string(recipe.max_rooms));
+                                " to " + std::to_string(most_rooms));
   }
   if (options.storeys > recipe.max_storeys) {
     throw InvalidInputError("storeys", "is " + std::to_string(options.storeys),
@@ -248,8 +264,8 @@ void CheckOptions(const HomeOptions& options, const HomeRecipe& recipe) {
 }  // namespace
 
 std::span<const std::string_view> EnumNames(HomePreset) {
-  static constexpr std::array<std::string_view, 6> kNames = {"room",      "flat", "tour",
-                                                             "furnished", "walk", "hard"};
+  static constexpr std::array<std::string_view, 7> kNames = {"room", "flat", "tour",    "furnished",
+                                                             "walk", "hard", "building"};
   return kNames;
 }
 
@@ -322,15 +338,9 @@ Home MakeHome(const HomeOptions& options) {
 
 std::vector<HomeWall> HomeWalls(const Home& home) {
   std::vector<HomeWall> walls;
-  const auto add_ring = [&](const HomeRoom& room, const Ring2& ring) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      walls.push_back(
-          {static_cast<int>(walls.size()), room.id, ring[i], ring[(i + 1) % ring.size()]});
-    }
-  };
   for (const HomeRoom& room : home.rooms) {
-    add_ring(room, room.polygon.outer);
-    for (const Ring2& hole : room.polygon.holes) add_ring(room, hole);
+    const std::vector<HomeWall> own = WallsOf(room, static_cast<int>(walls.size()));
+    walls.insert(walls.end(), own.begin(), own.end());
   }
   return walls;
 }

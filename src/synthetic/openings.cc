@@ -7,6 +7,8 @@
 #include <numeric>
 #include <optional>
 
+#include "src/synthetic/outline.h"
+
 namespace enfilade {
 namespace {
 
@@ -49,6 +51,7 @@ constexpr DoorState kLeafless = {};
 constexpr DoorState kOpen = {DoorLeaf::kOpen, 1.3, 1.75};
 constexpr DoorState kAjar = {DoorLeaf::kOpen, 0.4, 0.9};
 constexpr DoorState kClosed = {DoorLeaf::kClosed, 0, 0};
+constexpr std::array<DoorState, 3> kPassable = {kLeafless, kOpen, kAjar};
 
 bool AddDoor(Home& home, const SharedWall& shared, const DoorState& state, Random& random) {
   const double width_m = random.Millimetres(0.80, 0.90);
@@ -101,15 +104,28 @@ std::vector<SharedWall> FindOuterWalls(const Home& home, const std::vector<Share
   return outer;
 }
 
+// Whether a ray could meet what lies in the bounds.
+bool MayMeet(const Rectangle& bounds, const Vector2d& from, const Vector2d& direction) {
+  constexpr double kTolerance_m = 1e-6;
+  const Vector2d center = bounds.Center() - from, half = 0.5 * bounds.Size(),
+                 reach = direction.cwiseAbs();
+  return center.dot(direction) + half.dot(reach) > -kTolerance_m &&
+         std::abs(Cross(center, direction)) <
+             half.x() * reach.y() + half.y() * reach.x() + kTolerance_m;
+}
+
 // Only stretches with open country behind them: the way out must not pass another room.
-bool LooksOutside(const Home& home, const SharedWall& stretch) {
+bool LooksOutside(const Home& home, const std::vector<Rectangle>& bounds,
+                  const SharedWall& stretch) {
   const Vector2d out = -stretch.wall.Inward();
   for (double t : {0.02, 0.5, 0.98}) {
     const Vector2d from =
         stretch.wall.a + 1e-6 * out +
         (stretch.begin_m + t * (stretch.end_m - stretch.begin_m)) * stretch.wall.Along();
-    for (const HomeRoom& room : home.rooms) {
-      if (std::isfinite(RayDistance(room.polygon.outer, from, out))) return false;
+    for (size_t i = 0; i < home.rooms.size(); ++i) {
+      if (MayMeet(bounds[i], from, out) &&
+          std::isfinite(RayDistance(home.rooms[i].polygon.outer, from, out)))
+        return false;
     }
   }
   return true;
@@ -163,6 +179,17 @@ bool AddEntrance(Home& home, Random& random) {
 
 }  // namespace
 
+std::vector<HomeWall> WallsOf(const HomeRoom& room, int first_id) {
+  std::vector<HomeWall> walls;
+  for (const Ring2& ring : RingsOf(room.polygon)) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      walls.push_back({first_id + static_cast<int>(walls.size()), room.id, ring[i],
+                       ring[(i + 1) % ring.size()]});
+    }
+  }
+  return walls;
+}
+
 HomeRoom& RoomOf(Home& home, const HomeWall& wall) {
   return *std::find_if(home.rooms.begin(), home.rooms.end(),
                        [&](const HomeRoom& room) { return room.id == wall.room_id; });
@@ -191,12 +218,13 @@ std::vector<SharedWall> FindSharedWalls(const Home& home, double max_thickness_m
 
 std::vector<SharedWall> OuterStretches(const Home& home) {
   std::vector<SharedWall> stretches = FindOuterWalls(home, FindSharedWalls(home, 0.5, 0.05));
-  std::erase_if(stretches, [&](const SharedWall& s) { return !LooksOutside(home, s); });
+  std::vector<Rectangle> bounds;
+  for (const HomeRoom& room : home.rooms) bounds.push_back(BoundsOf(room.polygon.outer));
+  std::erase_if(stretches, [&](const SharedWall& s) { return !LooksOutside(home, bounds, s); });
   return stretches;
 }
 
 bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& random) {
-  constexpr std::array<DoorState, 3> kStates = {kLeafless, kOpen, kAjar};
   std::vector<SharedWall> shared = FindSharedWalls(home, max_thickness_m, 1.25);
   Shuffle(shared, random);
   std::vector<int> group(home.rooms.size());
@@ -207,14 +235,14 @@ bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& ra
     std::replace(group.begin(), group.end(), to, from);
   };
   for (const HomeOpening& opening : home.openings) join(opening.room_id, *opening.other_room_id);
-  const size_t states = mix.has_ajar ? 3 : 2;
+  const size_t states = mix.has_ajar ? kPassable.size() : 2;
   std::vector<SharedWall> rest;
   size_t num_doors = 0;
   for (const SharedWall& s : shared) {
     const auto room_idx = static_cast<size_t>(s.wall.room_id);
     if (group[room_idx] == group[static_cast<size_t>(s.other_room_id)]) {
       rest.push_back(s);
-    } else if (AddDoor(home, s, kStates[num_doors % states], random)) {
+    } else if (AddDoor(home, s, kPassable[num_doors % states], random)) {
       join(s.wall.room_id, s.other_room_id);
       ++num_doors;
     }
@@ -227,6 +255,26 @@ bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& ra
       (void)AddDoor(home, s, kOpen, random);
     }
   }
+  return AddEntrance(home, random);
+}
+
+bool AddCorridorDoors(Home& home, double max_thickness_m, Random& random) {
+  std::vector<SharedWall> shared = FindSharedWalls(home, max_thickness_m, 1.25);
+  Shuffle(shared, random);
+  std::vector<char> is_joined(home.rooms.size(), 0);
+  size_t num_doors = 0;
+  for (const SharedWall& s : shared) {
+    const bool is_hall = home.RoomById(s.wall.room_id).use == RoomUse::kHall;
+    if (home.RoomById(s.other_room_id).use != RoomUse::kHall) continue;  // corridors come last
+    char& is_room_joined = is_joined[static_cast<size_t>(s.wall.room_id)];
+    if (!is_hall && is_room_joined != 0) continue;
+    const DoorState& state = is_hall ? kLeafless : kPassable[num_doors % kPassable.size()];
+    if (!AddDoor(home, s, state, random)) continue;
+    is_room_joined = 1;
+    ++num_doors;
+  }
+  // Nothing comes after the last corridor; it is joined to the others by doors of theirs.
+  if (std::find(is_joined.begin(), is_joined.end() - 1, 0) != is_joined.end() - 1) return false;
   return AddEntrance(home, random);
 }
 

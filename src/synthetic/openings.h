@@ -15,6 +15,9 @@ struct SharedWall {
   double thickness_m = 0;
 };
 
+/// The wall faces of one room: outer ring before holes, ids from `first_id`.
+[[nodiscard]] std::vector<HomeWall> WallsOf(const HomeRoom& room, int first_id = 0);
+
 /// The room whose face the wall is, to be changed.
 [[nodiscard]] HomeRoom& RoomOf(Home& home, const HomeWall& wall);
 
@@ -37,6 +40,11 @@ struct DoorMix {
 /// third ajar if the mix has such; then doors between other neighbours, and a closed entrance.
 /// Returns false when the rooms cannot be joined or no outer wall takes the entrance.
 [[nodiscard]] bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& random);
+
+/// Joins every room to a corridor by one passable door, leafless, open and ajar in turn, and the
+/// corridors to each other by leafless ones; then a closed entrance. Returns false when a room has
+/// no corridor that takes its door.
+[[nodiscard]] bool AddCorridorDoors(Home& home, double max_thickness_m, Random& random);
 
 /// One or two windows in the outer walls of most rooms. Returns false when none has one.
 [[nodiscard]] bool AddWindows(Home& home, Random& random);

@@ -10,6 +10,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/synthetic/truth.h"
 #include "src/synthetic/built_ins.h"
+#include "src/synthetic/openings.h"
 #include "src/synthetic/outline.h"
 
 namespace enfilade {
@@ -74,16 +75,17 @@ RoomBlocks BlocksOf(const Home& home, const HomeRoom& room) {
       for (Ring2& part : DoorClearance(opening)) blocks.everywhere.push_back(std::move(part));
     }
   }
+  // What is in nobody's way here: most doors of a large building.
+  const Rectangle bounds = BoundsOf(room.polygon.outer);
+  std::erase_if(blocks.everywhere, [&](const Ring2& block) {
+    return !AreNear(BoundsOf(block), bounds, 2 * kItemGap_m);
+  });
   return blocks;
 }
 
-Stand RandomStand(const Home& home, const HomeRoom& room, const FurniturePiece& piece,
-                  Random& random) {
-  const std::vector<HomeWall> walls = HomeWalls(home);
-  std::vector<HomeWall> own;
-  std::copy_if(walls.begin(), walls.end(), std::back_inserter(own),
-               [&](const HomeWall& wall) { return wall.room_id == room.id; });
-  const HomeWall& wall = random.Pick(own);
+Stand RandomStand(const HomeRoom& room, const FurniturePiece& piece, Random& random) {
+  const std::vector<HomeWall> walls = WallsOf(room);
+  const HomeWall& wall = random.Pick(walls);
   const double yaw_rad = std::atan2(wall.Along().y(), wall.Along().x());
   const double along_m = random.Millimetres(0, (wall.b - wall.a).norm());
   const double off_m = piece.is_against_wall ? kWallGap_m : random.Millimetres(0.3, 2.0);
@@ -107,7 +109,7 @@ bool TryPlacePiece(Home& home, const HomeRoom& room, const FurniturePiece& piece
                    RoomBlocks& blocks, Random& random) {
   constexpr int kTries = 60;
   for (int i = 0; i < kTries; ++i) {
-    const Stand stand = RandomStand(home, room, piece, random);
+    const Stand stand = RandomStand(room, piece, random);
     const Ring2 footprint = PieceFootprint(piece, stand, 0);
     if (!IsConvexInside(footprint, room.polygon)) continue;
     const Ring2 wide = PieceFootprint(piece, stand, kItemGap_m);
@@ -248,6 +250,23 @@ void HangLamps(Home& home, const std::vector<float>& radiance) {
     lamp.radiance = radiance[i] * Eigen::Vector3f(1.0f, 0.86f, 0.70f);
     home.lamps.push_back(lamp);
   }
+}
+
+void SpreadCorridorLamps(Home& home) {
+  constexpr double kSpacing_m = 6;
+  std::vector<HomeLamp> spread;
+  for (HomeLamp lamp : home.lamps) {
+    const HomeRoom& room = home.RoomById(lamp.room_id);
+    const Ring2 places = room.use == RoomUse::kHall
+                             ? PlacesAlong(BoundsOf(room.polygon.outer), kSpacing_m)
+                             : Ring2{lamp.center.head<2>()};
+    lamp.radiance /= static_cast<float>(places.size());
+    for (const Vector2d& p : places) {
+      lamp.center.head<2>() = p;
+      spread.push_back(lamp);
+    }
+  }
+  home.lamps = std::move(spread);
 }
 
 }  // namespace enfilade

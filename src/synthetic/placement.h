@@ -39,4 +39,8 @@ void FurnishRooms(Home& home, const FurnitureShare& share, Random& random);
 /// Hangs a lamp of the given radiance under the ceiling of every room, farthest from its walls.
 void HangLamps(Home& home, const std::vector<float>& radiance);
 
+/// Gives every corridor, instead of its lamp, weaker ones every 6 m along it. Its ceiling must be
+/// level.
+void SpreadCorridorLamps(Home& home);
+
 }  // namespace enfilade

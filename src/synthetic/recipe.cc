@@ -77,6 +77,17 @@ HomeRecipe HardRecipe() {
   return recipe;
 }
 
+HomeRecipe BuildingRecipe() {
+  HomeRecipe recipe;
+  recipe.layout = LayoutKind::kBuilding;
+  recipe.min_rooms = 20;
+  recipe.max_rooms = 40;
+  recipe.most_rooms = 200;
+  recipe.furnished_rooms = 0.25;
+  recipe.cameras = CameraPlan::kBuilding;
+  return recipe;
+}
+
 }  // namespace
 
 HomeRecipe RecipeFor(HomePreset preset) {
@@ -92,9 +103,11 @@ HomeRecipe RecipeFor(HomePreset preset) {
     case HomePreset::kWalk:
       return WalkRecipe();
     case HomePreset::kHard:
+      return HardRecipe();
+    case HomePreset::kBuilding:
       break;
   }
-  return HardRecipe();
+  return BuildingRecipe();
 }
 
 }  // namespace enfilade

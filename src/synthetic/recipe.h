@@ -7,8 +7,8 @@
 
 namespace enfilade {
 
-enum class LayoutKind { kBlocks, kHall };
-enum class CameraPlan { kRooms, kTour, kWalk };
+enum class LayoutKind { kBlocks, kHall, kBuilding };
+enum class CameraPlan { kRooms, kTour, kWalk, kBuilding };
 
 /// Standard deviations of what is claimed about a pose.
 struct PoseErrors {
@@ -21,6 +21,7 @@ struct PoseErrors {
 struct HomeRecipe {
   LayoutKind layout = LayoutKind::kBlocks;
   int min_rooms = 1, max_rooms = 1;
+  int most_rooms = 0;  ///< that may be asked for; 0: max_rooms
   int max_storeys = 1;
   DoorMix doors;
   int num_wide_openings = 0;  ///< open plan

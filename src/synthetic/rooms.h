@@ -35,4 +35,9 @@ struct RoomLayout {
 /// the numbers drawn do not fit.
 [[nodiscard]] std::optional<RoomLayout> MakeHallLayout(int num_rooms, Random& random);
 
+/// Wings of up to 25 rooms: two rows along a corridor, wing above wing, and with more than one a
+/// corridor along their ends that joins them. Corridors count as rooms and come last. None when the
+/// numbers drawn do not fit; requires 8 rooms or more.
+[[nodiscard]] std::optional<RoomLayout> MakeBuildingLayout(int num_rooms, Random& random);
+
 }  // namespace enfilade

@@ -220,7 +220,9 @@ TEST(Synth, RefusesWhatDoesNotGoTogether) {
     EXPECT_FALSE(fs::exists(folder / "home"));
   };
   refused({"--preset", "walk", "--home.storeys", "2"}, "give the preset flat or tour");
+  refused({"--preset", "building", "--home.storeys", "3"}, "give the preset flat or tour");
   refused({"--home.storeys", "4"}, "storeys");
+  refused({"--preset", "building", "--home.rooms", "201"}, "have 20 to 200");
   refused({"--preset", "tour", "--home.rooms", "200"}, "have 5 to 8");
 }
 

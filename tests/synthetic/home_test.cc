@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -387,12 +388,57 @@ TEST(MakeHome, StoreysDoNotChangeTheHomeOfTheSeed) {
 }
 
 TEST(MakeHome, OnlyFlatsAndToursHaveStoreys) {
-  for (const HomePreset preset :
-       {HomePreset::kRoom, HomePreset::kFurnished, HomePreset::kWalk, HomePreset::kHard}) {
+  for (const HomePreset preset : {HomePreset::kRoom, HomePreset::kFurnished, HomePreset::kWalk,
+                                  HomePreset::kHard, HomePreset::kBuilding}) {
     EXPECT_THROW((void)Make(1, preset, 2), InvalidInputError);
   }
   EXPECT_THROW((void)Make(1, HomePreset::kFlat, 0), InvalidInputError);
   EXPECT_THROW((void)Make(1, HomePreset::kFlat, 4), InvalidInputError);
+}
+
+void ExpectPromisedBuilding(const Home& home) {
+  EXPECT_EQ(ReachableRooms(home).size(), home.rooms.size());
+  std::map<int, int> num_doors, num_cameras;
+  for (const HomeOpening& opening : home.openings) {
+    if (!opening.IsPassable()) continue;
+    ++num_doors[opening.room_id];
+    EXPECT_EQ(home.RoomById(*opening.other_room_id).use, RoomUse::kHall);
+  }
+  for (const HomeCamera& camera : home.cameras) ++num_cameras[camera.room_id];
+  for (const HomeRoom& room : home.rooms) {
+    if (room.use == RoomUse::kHall) {
+      EXPECT_GE(num_cameras[room.id] * 4, std::sqrt(Area(room.polygon)));
+    } else {
+      EXPECT_EQ(num_doors[room.id], 1);
+      EXPECT_EQ(num_cameras[room.id], 1);
+    }
+  }
+}
+
+TEST(MakeHome, BuildingsHoldWhatThePresetPromisesOver50Seeds) {
+  for (int seed = 0; seed < kSeeds / 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Home home = Make(seed, HomePreset::kBuilding);
+    EXPECT_GE(home.rooms.size(), 20u);
+    EXPECT_LE(home.rooms.size(), 40u);
+    ASSERT_NO_FATAL_FAILURE(ExpectSoundPlan(home));
+    ExpectPromisedBuilding(home);
+  }
+}
+
+TEST(MakeHome, BuildingsHaveUpTo200Rooms) {
+  HomeOptions options;
+  options.preset = HomePreset::kBuilding;
+  for (const int rooms : {20, 25, 26, 51, 200}) {
+    SCOPED_TRACE(rooms);
+    options.rooms = rooms;
+    const Home home = MakeHome(options);
+    EXPECT_EQ(static_cast<int>(home.rooms.size()), rooms);
+    ASSERT_NO_FATAL_FAILURE(ExpectSoundPlan(home));
+    ExpectPromisedBuilding(home);
+  }
+  options.rooms = 201;
+  EXPECT_THROW((void)MakeHome(options), InvalidInputError);
 }
 
 TEST(MakeHome, SameSeedSameHomeOtherSeedOtherHome) {

@@ -18,7 +18,7 @@
 namespace enfilade {
 
 /// What kind of home is made, and how it is photographed: MakeHome says what each one holds.
-enum class HomePreset { kRoom, kFlat, kTour, kFurnished, kWalk, kHard };
+enum class HomePreset { kRoom, kFlat, kTour, kFurnished, kWalk, kHard, kBuilding };
 [[nodiscard]] std::span<const std::string_view> EnumNames(HomePreset);
 
 /// Width of the panoramas that are usual for the preset, pixels.
@@ -36,7 +36,8 @@ struct HomeOptions {
     v("preset", preset,
       "room: one room; flat: three to five rooms joined by doors; tour: 5 to 8 rooms as an agent "
       "photographs them; furnished: a flat whose furniture hides 40 % of the floor line; walk: a "
-      "flat along a dense path; hard: open plan, glass, mirrors, tilt, pillars, niches.");
+      "flat along a dense path; hard: open plan, glass, mirrors, tilt, pillars, niches; building: "
+      "20 to 200 rooms along corridors.");
     v("rooms", rooms, "Number of rooms on a storey, within what the preset allows; 0: drawn.",
       {0, 1000});
     v("storeys", storeys, "Storeys on top of each other; more than one for flat and tour only.",
@@ -178,6 +179,10 @@ struct Home {
 /// rooms. Hard homes are tours of six rooms or more with open plan, a glass wall and a glazed door,
 /// two mirrors, a pillar, a curved wall, cabinets up to the ceiling, loops of rooms, furniture in
 /// all rooms, cameras that lean by up to 2° and exposures that differ by up to 1.4 stops.
+///
+/// Buildings have 20–40 rooms, or up to 200 where so many are asked for: wings of two rows along a
+/// corridor, joined by another corridor, every room with one door to a corridor, a quarter of them
+/// furnished; one camera a room and one every 4 m of the corridors.
 ///
 /// Flats and tours may have several storeys: each is such a home of its own, entered by a closed
 /// door as from a stairwell, with level ceilings; those with less ground lie higher, centred over
