@@ -18,6 +18,19 @@ struct Arguments {
   OptionArguments options;
 };
 
+std::string Describe(const Home& home, PictureKind kind) {
+  const std::string places = std::to_string(home.cameras.size());
+  switch (kind) {
+    case PictureKind::kEquirectangular:
+      return places + " panoramas";
+    case PictureKind::kPerspective:
+      return places + " views all round";
+    case PictureKind::kVideo:
+      break;
+  }
+  return "a video past " + places + " places";
+}
+
 }  // namespace
 
 Action SetupSynth(CLI::App& parser) {
@@ -40,10 +53,9 @@ Action SetupSynth(CLI::App& parser) {
     arguments->options.Apply(VisitorOf(options));
     Session session(arguments->common);
     const Home home = SynthesiseHome(arguments->output, options, session.context());
-    const bool is_panorama = options.pictures.kind == PictureKind::kEquirectangular;
     const int num_storeys = home.NumStoreys();
-    std::printf("%zu %s of %zu rooms%s in %s\n", home.cameras.size(),
-                is_panorama ? "panoramas" : "views all round", home.rooms.size(),
+    std::printf("%s of %zu rooms%s in %s\n", Describe(home, options.pictures.kind).c_str(),
+                home.rooms.size(),
                 num_storeys > 1 ? (" on " + std::to_string(num_storeys) + " storeys").c_str() : "",
                 PrintablePath(arguments->output).c_str());
     return kExitOk;

@@ -4,23 +4,27 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
 #include "enfilade/base/json.h"
+#include "enfilade/exchange/avi_writer.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/npy.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/scene/camera.h"
+#include "enfilade/synthetic/film.h"
 #include "enfilade/synthetic/truth.h"
 
 namespace enfilade {
@@ -66,7 +70,7 @@ std::vector<Picture> ListPictures(const Home& home, const WriteHomeOptions& opti
   std::vector<Picture> pictures;
   for (int i = 0; i < static_cast<int>(home.cameras.size()); ++i) {
     const std::string& name = home.cameras[static_cast<size_t>(i)].picture;
-    if (options.kind == PictureKind::kEquirectangular) {
+    if (options.kind != PictureKind::kPerspective) {
       pictures.push_back({name, i, EquirectangularCamera(options.width, options.width / 2)});
       continue;
     }
@@ -114,9 +118,12 @@ void RemoveFile(const fs::path& path) {
   if (error) throw IoError(path.native(), "cannot be replaced", "choose another folder");
 }
 
-// Takes away what an earlier home left: poses first, then pictures that this home lacks.
+// Takes away what an earlier home left: what says that it is whole first, then pictures that this
+// home lacks.
 void RemoveOldHome(const fs::path& folder, const std::vector<Picture>& pictures) {
-  RemoveFile(folder / "transforms.json");
+  for (const char* name : {"transforms.json", "video.avi", "truth/frames.csv"})
+    RemoveFile(folder / name);
+  if (!fs::exists(folder / "panos")) return;
   std::set<std::string> kept;
   for (const Picture& picture : pictures) kept.insert(picture.name);
   std::vector<fs::path> old;
@@ -153,10 +160,98 @@ void WritePixelTruth(const fs::path& folder, const std::string& stem,
   WriteNpy(folder / "walls" / (stem + ".npy"), panorama.wall_id);
 }
 
+// Where, what and how the pictures of a home are to be made.
+struct Shoot {
+  const fs::path& folder;
+  const Home& home;  // of a film, with one camera a frame
+  const WriteHomeOptions& options;
+  std::vector<Picture> pictures;
+};
+
+// Renders a picture and tells the truth about it. Returns its JPEG file.
+std::string Take(const Shoot& shoot, const HomeRenderer& renderer, const Picture& picture,
+                 Floorplan& truth, RunContext& context) {
+  const RenderedPanorama rendered = RenderPicture(renderer, picture, context);
+  std::string jpeg = EncodeImage(rendered.rgb, ".jpg", shoot.options.jpeg_quality);
+  PlanCamera camera;
+  camera.picture = picture.name;
+  camera.sha256 = Sha256(jpeg);
+  camera.storey_idx = shoot.home.StoreyOfCamera(picture.camera_idx);
+  camera.world_from_cam = PoseOf(picture, shoot.home.WorldFromCamera(picture.camera_idx));
+  truth.cameras.push_back(camera);
+  if (shoot.options.has_pixel_truth) {
+    WritePixelTruth(shoot.folder / "truth", fs::path(picture.name).stem().native(), rendered);
+  }
+  return jpeg;
+}
+
+void WriteTruth(const Shoot& shoot, const Floorplan& truth) {
+  WriteFloorplanJson(shoot.folder / "truth" / "floorplan.json", truth,
+                     {{"synthetic_seed", shoot.home.seed}});
+}
+
+void WritePanoramas(const Shoot& shoot, const HomeRenderer& renderer, Floorplan truth,
+                    RunContext& context) {
+  for (const Picture& picture : shoot.pictures) {
+    WriteFileAtomic(shoot.folder / "panos" / picture.name,
+                    Take(shoot, renderer, picture, truth, context));
+  }
+  WriteTruth(shoot, truth);
+  WriteJsonFile(shoot.folder / "transforms.json", Transforms(shoot.home, shoot.pictures));
+}
+
+std::string FramesCsv(const Floorplan& truth, double frames_per_second) {
+  std::string csv = "file,x,y,z,qw,qx,qy,qz,time_s\n";
+  for (size_t i = 0; i < truth.cameras.size(); ++i) {
+    const Rigid3& pose = truth.cameras[i].world_from_cam;
+    const Eigen::Vector3d& t = pose.translation;
+    const Eigen::Quaterniond q(pose.rotation);
+    csv += fmt::format("{},{:.9f},{:.9f},{:.9f},{:.12f},{:.12f},{:.12f},{:.12f},{:.6f}\n",
+                       truth.cameras[i].picture, t.x(), t.y(), t.z(), q.w(), q.x(), q.y(), q.z(),
+                       static_cast<double>(i) / frames_per_second);
+  }
+  return csv;
+}
+
+void WriteVideo(const Shoot& shoot, const HomeRenderer& renderer, Floorplan truth,
+                RunContext& context) {
+  const double frames_per_second = shoot.options.frames_per_second;
+  WriteFileAtomic(shoot.folder / "video.avi", [&](const fs::path& temporary) {
+    AviWriter video(temporary, {shoot.options.width, shoot.options.width / 2}, frames_per_second);
+    for (const Picture& frame : shoot.pictures)
+      video.AddFrame(Take(shoot, renderer, frame, truth, context));
+    video.Finish();
+    WriteTruth(shoot, truth);
+    WriteFileAtomic(shoot.folder / "truth" / "frames.csv", FramesCsv(truth, frames_per_second));
+  });
+}
+
+void CheckWidth(int width, const RunContext& context) {
+  if (width % 2 != 0) {
+    throw InvalidInputError("width", "is odd", "give an even number: panoramas are 2:1");
+  }
+  if (width < 64) {
+    throw InvalidInputError("width", "is too small", "give 64 pixels or more");
+  }
+  const double need_mb = PictureMemoryMb(width);
+  if (width > kMaxWidth) {
+    throw InvalidInputError(
+        "width", fmt::format("{} pixels would take {:.0f} GB of memory", width, need_mb / 1000),
+        fmt::format("give {} or less", kMaxWidth));
+  }
+  if (context.max_memory_mb() > 0 && need_mb > context.max_memory_mb()) {
+    throw InvalidInputError("--max-memory",
+                            fmt::format("{} MB are too few: pictures {} pixels wide take {:.0f} MB",
+                                        context.max_memory_mb(), width, need_mb),
+                            "allow more, or give a smaller width");
+  }
+}
+
 }  // namespace
 
 std::span<const std::string_view> EnumNames(PictureKind) {
-  static constexpr std::array<std::string_view, 2> kNames = {"equirectangular", "perspective"};
+  static constexpr std::array<std::string_view, 3> kNames = {"equirectangular", "perspective",
+                                                             "video"};
   return kNames;
 }
 
@@ -164,48 +259,22 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
                RunContext& context) {
   WriteHomeOptions checked = options;
   ValidateOptions(VisitorOf(checked), "synthetic home");
-  if (options.width % 2 != 0) {
-    throw InvalidInputError("width", "is odd", "give an even number: panoramas are 2:1");
-  }
-  if (options.width < 64) {
-    throw InvalidInputError("width", "is too small", "give 64 pixels or more");
-  }
-  const double need_mb = PictureMemoryMb(options.width);
-  if (options.width > kMaxWidth) {
-    throw InvalidInputError(
-        "width",
-        fmt::format("{} pixels would take {:.0f} GB of memory", options.width, need_mb / 1000),
-        fmt::format("give {} or less", kMaxWidth));
-  }
-  if (context.max_memory_mb() > 0 && need_mb > context.max_memory_mb()) {
-    throw InvalidInputError("--max-memory",
-                            fmt::format("{} MB are too few: pictures {} pixels wide take {:.0f} MB",
-                                        context.max_memory_mb(), options.width, need_mb),
-                            "allow more, or give a smaller width");
-  }
-  const std::vector<Picture> pictures = ListPictures(home, options);
+  CheckWidth(options.width, context);
+  const bool is_video = options.kind == PictureKind::kVideo;
+  const Home shot = is_video ? FilmWalk(home, options.frames_per_second) : home;
+  const Shoot shoot{folder, shot, options, ListPictures(shot, options)};
   CreateFolder(folder / "truth");  // first: it marks what may be replaced, even if this is killed
-  CreateFolder(folder / "panos");
-  RemoveOldHome(folder, pictures);
+  if (!is_video) CreateFolder(folder / "panos");
+  RemoveOldHome(folder, is_video ? std::vector<Picture>() : shoot.pictures);
 
-  const HomeRenderer renderer(home, options.render, context);
-  Floorplan truth = TruthFloorplan(home);
+  const HomeRenderer renderer(shot, options.render, context);
+  Floorplan truth = TruthFloorplan(shot);
   truth.cameras.clear();
-  for (const Picture& picture : pictures) {
-    const RenderedPanorama rendered = RenderPicture(renderer, picture, context);
-    const std::string jpeg = EncodeImage(rendered.rgb, ".jpg", options.jpeg_quality);
-    WriteFileAtomic(folder / "panos" / picture.name, jpeg);
-    PlanCamera camera;
-    camera.picture = picture.name;
-    camera.sha256 = Sha256(jpeg);
-    camera.storey_idx = home.StoreyOfCamera(picture.camera_idx);
-    camera.world_from_cam = PoseOf(picture, home.WorldFromCamera(picture.camera_idx));
-    truth.cameras.push_back(camera);
-    if (options.has_pixel_truth)
-      WritePixelTruth(folder / "truth", fs::path(picture.name).stem().native(), rendered);
+  if (is_video) {
+    WriteVideo(shoot, renderer, std::move(truth), context);
+  } else {
+    WritePanoramas(shoot, renderer, std::move(truth), context);
   }
-  WriteFloorplanJson(folder / "truth" / "floorplan.json", truth, {{"synthetic_seed", home.seed}});
-  WriteJsonFile(folder / "transforms.json", Transforms(home, pictures));
 }
 
 }  // namespace enfilade

@@ -212,6 +212,39 @@ TEST(RunStoreys, FindsBothStoreysOfAFlat) {
   }
 }
 
+// From seed to video; `run` does not take it yet, and says what it takes.
+TEST(Synth, MakesAVideoThatRunRefuses) {
+  const TempFolder folder;
+  const ProgramResult made = RunProgram({"synth",
+                                         "-o",
+                                         folder / "home",
+                                         "--preset",
+                                         "walk",
+                                         "--home.rooms",
+                                         "3",
+                                         "--home.furniture",
+                                         "0",
+                                         "--width",
+                                         "64",
+                                         "--pictures.kind",
+                                         "video",
+                                         "--pictures.frames_per_second",
+                                         "0.5",
+                                         "--pictures.render.light_cell_m",
+                                         "0.5",
+                                         "--pictures.render.gather_rays",
+                                         "8",
+                                         "--pictures.render.bounces",
+                                         "0",
+                                         "--pictures.render.samples_per_pixel",
+                                         "1"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_GT(fs::file_size(folder / "home/video.avi"), 5000u);
+  EXPECT_TRUE(fs::exists(folder / "home/truth/frames.csv"));
+  ExpectRefusal(RunProgram({"run", folder / "home", "-o", folder / "out"}), "has no poses");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(Synth, RefusesWhatDoesNotGoTogether) {
   const TempFolder folder;
   const auto refused = [&](std::vector<std::string> options, const std::string& text) {
@@ -219,6 +252,7 @@ TEST(Synth, RefusesWhatDoesNotGoTogether) {
     ExpectRefusal(RunProgram(options), text);
     EXPECT_FALSE(fs::exists(folder / "home"));
   };
+  refused({"--pictures.kind", "video"}, "give the preset walk");
   refused({"--preset", "walk", "--home.storeys", "2"}, "give the preset flat or tour");
   refused({"--preset", "building", "--home.storeys", "3"}, "give the preset flat or tour");
   refused({"--home.storeys", "4"}, "storeys");
