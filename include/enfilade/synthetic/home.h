@@ -43,7 +43,17 @@ struct HomeOptions {
 };
 
 /// What a surface is made of: its pattern; the colour is given apart.
-enum class Finish { kPaint, kCarpet, kPlanks, kTiles, kWood, kFabric, kPlain, kMirror };
+enum class Finish {
+  kPaint,
+  kCarpet,
+  kPlanks,
+  kTiles,
+  kWood,
+  kFabric,
+  kPlain,
+  kMirror,
+  kOrangePeel  ///< paint from a roller or a spray gun
+};
 enum class RoomUse { kLiving, kBedroom, kKitchen, kBath, kHall, kCloset };
 
 /// The region inside the inner faces of a room's walls, from a level floor to a plane ceiling.
@@ -56,6 +66,7 @@ struct HomeRoom {
   double crown_m = 0;                   ///< height of the moulding under the ceiling
   RoomUse use = RoomUse::kLiving;
   Finish floor_finish = Finish::kCarpet;
+  Finish wall_finish = Finish::kPaint;
   Eigen::Vector3f wall_rgb{0.80f, 0.79f, 0.76f};  ///< diffuse reflectance, linear
   Eigen::Vector3f floor_rgb{0.35f, 0.30f, 0.25f};
   Eigen::Vector3f ceiling_rgb{0.82f, 0.82f, 0.80f};
