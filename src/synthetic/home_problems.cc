@@ -96,7 +96,7 @@ void CheckFurniture(const Home& home, Problems& problems) {
       problems.push_back(fmt::format("box {}: leaves room {}", i, room.id));
     }
     for (const HomeOpening& opening : home.openings) {
-      if (opening.kind == OpeningKind::kWindow) continue;
+      if (opening.kind == OpeningKind::kWindow || box.z0 >= opening.head_z) continue;
       for (const Ring2& part : DoorClearance(opening)) {
         if (DoConvexOverlap(footprint, part))
           problems.push_back(fmt::format("box {}: stands in the way of door {}", i, opening.id));
