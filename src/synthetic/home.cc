@@ -13,6 +13,7 @@
 #include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
 #include "src/synthetic/cameras.h"
+#include "src/synthetic/fittings.h"
 #include "src/synthetic/free_walls.h"
 #include "src/synthetic/niches.h"
 #include "src/synthetic/openings.h"
@@ -27,7 +28,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3f;
 
 // Parts of a home whose numbers come from streams of their own.
-enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms };
+enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms, kFittings };
 
 std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, const HomeOptions& options,
                                      Random& random) {
@@ -199,6 +200,10 @@ std::optional<Home> TryMakeHome(const HomeRecipe& recipe, const HomeOptions& opt
   if (!CutOpenings(home, recipe, layout->max_wall_thickness_m + 1e-6, random)) return std::nullopt;
   if (!FillRooms(home, recipe, options.furniture, random)) return std::nullopt;
   if (!PlaceAllCameras(home, recipe, random)) return std::nullopt;
+  if (recipe.has_fittings) {
+    Random own(PartSeed(home.seed, static_cast<uint64_t>(SeedPart::kFittings)));
+    AddFittings(home, own);
+  }
   if (recipe.min_hidden_floor_line > 0 &&
       !HideFloorLine(home, recipe.min_hidden_floor_line, random)) {
     return std::nullopt;

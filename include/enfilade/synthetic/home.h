@@ -173,8 +173,10 @@ struct Home {
 /// L, T and U shapes), walls of different thickness, one or two rooms with a bay or an outer wall
 /// off the axes, two with a niche or chimney breast, doors that are open, ajar and closed, a mirror
 /// or a window down to 0.35 m above the floor, a fitted kitchen and bath, loose furniture in half
-/// of the rooms, a sloped ceiling in some homes, and 8–12 cameras: one or more in every room that
-/// is no closet. Claimed poses are a little off, and nobody has measured the cameras' tilt.
+/// of the rooms, what empty rooms have too (wardrobes, shelves, curtains, radiators in some homes,
+/// bulkheads, sockets, switches, pictures), a sloped ceiling in some homes, and 8–12 cameras: one
+/// or more in every room that is no closet, about two on average. Claimed poses are a little off,
+/// and nobody has measured the cameras' tilt.
 ///
 /// Furnished homes are flats in which furniture hides 40 % or more of the floor line
 /// (HiddenFloorLineShare). Walks are flats with a camera at every 0.4–0.5 m of a path through all
