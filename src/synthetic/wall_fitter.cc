@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kGap_m = 0.05;
+constexpr double kHandle_m = 0.03;  // handles reach this far out of a piece's footprint
 constexpr double kWindowReach_m = 0.3;
 // Nothing goes into the gap between a cupboard and its wall.
 constexpr double kLeastDepth_m = 0.12;
@@ -87,7 +88,8 @@ bool WallFitter::FixAt(const HomeWall& wall, double middle_m, const FurniturePie
   const Ring2 ring = PieceFootprint(piece, stand, 0);
   const bool is_thin = piece.footprint.y() < kThin_m;
   const bool is_overhead = z.first - room_.floor_z >= kHeadroom_m;
-  if (!IsConvexInside(ring, room_.polygon) || !IsClearOfOpenings(ring, z, before_windows) ||
+  if (!IsConvexInside(ring, room_.polygon) ||
+      !IsClearOfOpenings(PieceFootprint(piece, stand, kHandle_m), z, before_windows) ||
       !IsClearOfThings(PieceFootprint(deep, stand, kGap_m), z) ||
       (!is_overhead && !IsClearOfCameras(ring, is_thin ? kReachToThin_m : kReach_m))) {
     return false;

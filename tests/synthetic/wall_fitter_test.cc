@@ -66,6 +66,15 @@ TEST(WallFitter, LeavesTheHomeAsItWasWhereThereIsNoRoom) {
   EXPECT_TRUE(is_refused(0, 3.5, Socket()));       // behind the box
 }
 
+TEST(WallFitter, CountsHandlesThatReachOutOfTheFootprint) {
+  // The floor before the door must be free from x = 3.5 to 4.5; handles reach 2 cm out.
+  Random random(1);
+  EXPECT_FALSE(Fix(1, 3.5, TallCupboard({0.6, 0.49}, 2.0, random)).is_fixed);
+  const Fitted fitted = Fix(1, 3.5, TallCupboard({0.6, 0.46}, 2.0, random));
+  EXPECT_TRUE(fitted.is_fixed);
+  EXPECT_THAT(HomeProblems(fitted.home), IsEmpty());
+}
+
 TEST(WallFitter, PassesOverAndUnderWhatIsThere) {
   EXPECT_TRUE(Fix(0, 3.5, PictureOnWall()).is_fixed);     // above the box
   EXPECT_TRUE(Fix(0, 1.5, Radiator(0.8, 0.7)).is_fixed);  // below the window
