@@ -19,9 +19,12 @@ using Eigen::Vector2d;
 constexpr double kCameraClearance_m = 0.65;
 constexpr double kHallClearance_m = 0.42;
 constexpr double kCameraSpacing_m = 1.6;
+// Where a small room has no place so far from the first, tours take one at this distance.
+constexpr double kNearSpacing_m = 1.0;
 // A place from which a whole room comes into view is worth this much clearance.
 constexpr double kViewWeight_m = 2.0;
 constexpr double kTwoCamerasArea_m2 = 13;
+constexpr int kMinTourCameras = 8, kMaxTourCameras = 12;
 
 // True when no wall of the room stands between two places in it.
 bool Sees(const HomeRoom& room, const Vector2d& from, const Vector2d& to) {
@@ -46,10 +49,11 @@ std::vector<Vector2d> UnseenPoints(const HomeRoom& room, const Rectangle& bounds
   return points;
 }
 
-// The best of many random places, none when all are too narrow or too near to `taken`: clear of
-// walls and furniture, and with much of the room in view that was not seen yet.
+// The best of many random places, none when all are too narrow or within `spacing_m` of `taken`:
+// clear of walls and furniture, and with much of the room in view that was not seen yet.
 std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
-                                      const std::vector<Vector2d>& taken, Random& random) {
+                                      const std::vector<Vector2d>& taken, double spacing_m,
+                                      Random& random) {
   constexpr int kTries = 150;
   const Rectangle bounds = BoundsOf(room.polygon.outer);
   const std::vector<Vector2d> unseen = UnseenPoints(room, bounds, taken);
@@ -61,9 +65,8 @@ std::optional<Vector2d> ClearestPlace(const Home& home, const HomeRoom& room,
                      random.Millimetres(bounds.min.y(), bounds.max.y()));
     // Beyond 1.2 m one place is as good as another: cameras need not stand in the middle.
     const double clear_m = std::min(Clearance(home, room.id, p), random.Uniform(1.1, 1.2));
-    const bool is_apart = std::all_of(taken.begin(), taken.end(), [&](const Vector2d& q) {
-      return (p - q).norm() > kCameraSpacing_m;
-    });
+    const bool is_apart = std::all_of(
+        taken.begin(), taken.end(), [&](const Vector2d& q) { return (p - q).norm() > spacing_m; });
     if (!is_apart || clear_m <= min_clear_m) continue;
     const auto num_new = std::count_if(unseen.begin(), unseen.end(),
                                        [&](const Vector2d& q) { return Sees(room, p, q); });
@@ -83,8 +86,9 @@ struct RoomCameras {
   bool is_full = false;
 };
 
-bool AddPlace(const Home& home, RoomCameras& cameras, Random& random) {
-  const std::optional<Vector2d> place = ClearestPlace(home, *cameras.room, cameras.places, random);
+bool AddPlace(const Home& home, RoomCameras& cameras, double spacing_m, Random& random) {
+  const std::optional<Vector2d> place =
+      ClearestPlace(home, *cameras.room, cameras.places, spacing_m, random);
   if (place) cameras.places.push_back(*place);
   cameras.is_full = !place;
   return place.has_value();
@@ -96,6 +100,14 @@ void AddCameras(Home& home, const RoomCameras& cameras, double height_m, double 
     const double z = cameras.room->floor_z + height_m + random.Uniform(-jitter_m, jitter_m);
     AddCamera(home, cameras.room->id, {p.x(), p.y(), z}, random.Uniform(-kPi, kPi));
   }
+}
+
+// Every room gets its second camera before any gets a third; of those with equally many, the one
+// with the most floor comes first.
+bool IsNextBefore(const RoomCameras& a, const RoomCameras& b) {
+  if (a.is_full != b.is_full) return b.is_full;
+  if (a.places.size() != b.places.size()) return a.places.size() < b.places.size();
+  return Area(a.room->polygon) > Area(b.room->polygon);
 }
 
 }  // namespace
@@ -162,25 +174,24 @@ void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random) {
 
 bool PlaceTourCameras(Home& home, Random& random) {
   const double height_m = random.Millimetres(1.3, 1.65);
-  const int wanted = 8 + random.Index(5);
+  const int more = random.Index(3) - 1;
   std::vector<RoomCameras> rooms;
   for (const HomeRoom& room : home.rooms) {
     if (room.use == RoomUse::kCloset) continue;
     rooms.push_back({&room, {}, false});
-    if (!AddPlace(home, rooms.back(), random)) return false;
+    if (!AddPlace(home, rooms.back(), kCameraSpacing_m, random)) return false;
   }
   int total = static_cast<int>(rooms.size());
+  const int wanted = std::clamp(2 * total + more, kMinTourCameras, kMaxTourCameras);
   while (total < wanted) {
-    const auto floor_for_next = [](const RoomCameras& r) {
-      return r.is_full ? 0.0 : Area(r.room->polygon) / static_cast<double>(r.places.size() + 1);
-    };
-    const auto next = std::max_element(
-        rooms.begin(), rooms.end(),
-        [&](const auto& a, const auto& b) { return floor_for_next(a) < floor_for_next(b); });
+    const auto next = std::min_element(rooms.begin(), rooms.end(), IsNextBefore);
     if (next->is_full) break;
-    if (AddPlace(home, *next, random)) ++total;
+    if (AddPlace(home, *next, kCameraSpacing_m, random) ||
+        AddPlace(home, *next, kNearSpacing_m, random)) {
+      ++total;
+    }
   }
-  if (total < 8) return false;
+  if (total < kMinTourCameras) return false;
   for (const RoomCameras& room : rooms) AddCameras(home, room, height_m, 0.02, random);
   return true;
 }
@@ -191,7 +202,7 @@ bool PlaceCameras(Home& home, Random& random) {
     const int wanted = home.rooms.size() == 1 || Area(room.polygon) > kTwoCamerasArea_m2 ? 2 : 1;
     RoomCameras cameras{&room, {}, false};
     while (static_cast<int>(cameras.places.size()) < wanted && !cameras.is_full) {
-      (void)AddPlace(home, cameras, random);
+      (void)AddPlace(home, cameras, kCameraSpacing_m, random);
     }
     if (cameras.places.empty()) return false;
     AddCameras(home, cameras, height_m, 0.01, random);

@@ -14,8 +14,9 @@ namespace enfilade {
 /// a room has no clear place.
 [[nodiscard]] bool PlaceCameras(Home& home, Random& random);
 
-/// Puts 8–12 cameras in a home as an agent would: one in every room but closets, then more where
-/// there is most floor for each. Returns false when there is no place for that many.
+/// Puts 8–12 cameras in a home as an agent would, about two a room: one in every room but closets,
+/// a second in each that has a place for it, largest first, then a third. Returns false when there
+/// is no place for that many.
 [[nodiscard]] bool PlaceTourCameras(Home& home, Random& random);
 
 /// Puts cameras 0.4–0.5 m apart along a path through all rooms and the open doors between them, in

@@ -67,6 +67,13 @@ float Plaster(uint64_t seed, float u, float v) {
          0.006f * Noise(seed + 2, u / 0.012f, v / 0.012f);
 }
 
+// On real walls pictures show about twice what plaster does.
+float OrangePeel(uint64_t seed, float u, float v) {
+  return 1 + 0.008f * Noise(seed, u / 0.35f, v / 0.35f) +
+         0.013f * Noise(seed + 1, u / 0.06f, v / 0.06f) +
+         0.013f * Noise(seed + 2, u / 0.016f, v / 0.016f);
+}
+
 float Carpet(uint64_t seed, float u, float v) {
   return 1 + 0.05f * Noise(seed, u / 0.4f, v / 0.4f) +
          0.08f * Noise(seed + 1, u / 0.035f, v / 0.035f) +
@@ -108,6 +115,9 @@ Vector3f ReflectanceAt(const Surface& surface, float u, float v) {
   switch (surface.finish) {
     case Finish::kPaint:
       pattern = Plaster(surface.seed, u, v);
+      break;
+    case Finish::kOrangePeel:
+      pattern = OrangePeel(surface.seed, u, v);
       break;
     case Finish::kCarpet:
       pattern = Carpet(surface.seed, u, v);

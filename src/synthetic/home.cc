@@ -14,6 +14,7 @@
 #include "enfilade/base/errors.h"
 #include "enfilade/geometry/angles.h"
 #include "src/synthetic/cameras.h"
+#include "src/synthetic/fittings.h"
 #include "src/synthetic/free_walls.h"
 #include "src/synthetic/niches.h"
 #include "src/synthetic/openings.h"
@@ -29,7 +30,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3f;
 
 // Parts of a home whose numbers come from streams of their own.
-enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms, kUpperStoreys };
+// Upper storeys take one number each.
+enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms, kUpperStoreys, kFittings = 4101 };
 
 std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, int asked_rooms, uint64_t seed,
                                      Random& random) {
@@ -215,6 +217,10 @@ std::optional<Home> TryMakeStorey(const HomeRecipe& recipe, const HomeOptions& o
   if (is_building && !PlaceAllCameras(home, recipe, random)) return std::nullopt;
   if (!FillRooms(home, recipe, options.furniture, random)) return std::nullopt;
   if (!is_building && !PlaceAllCameras(home, recipe, random)) return std::nullopt;
+  if (recipe.has_fittings) {
+    Random own(PartSeed(home.seed, static_cast<uint64_t>(SeedPart::kFittings)));
+    AddFittings(home, own);
+  }
   if (recipe.min_hidden_floor_line > 0 &&
       !HideFloorLine(home, recipe.min_hidden_floor_line, random)) {
     return std::nullopt;

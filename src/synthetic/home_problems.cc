@@ -126,6 +126,7 @@ void CheckOpenings(const Home& home, Problems& problems) {
 
 struct DoorFloor {
   int opening_id = 0, storey_idx = 0;
+  double head_z = 0;
   Ring2 part;
   Rectangle bounds;
 };
@@ -136,7 +137,7 @@ std::vector<DoorFloor> FloorBeforeDoors(const Home& home) {
     if (opening.kind == OpeningKind::kWindow) continue;
     const int storey_idx = home.RoomById(opening.room_id).storey_idx;
     for (const Ring2& part : DoorClearance(opening))
-      floors.push_back({opening.id, storey_idx, part, BoundsOf(part)});
+      floors.push_back({opening.id, storey_idx, opening.head_z, part, BoundsOf(part)});
   }
   return floors;
 }
@@ -158,7 +159,8 @@ void CheckFurniture(const Home& home, Problems& problems) {
       problems.push_back(fmt::format("box {}: leaves room {}", i, room.id));
     }
     for (const DoorFloor& floor : floors) {
-      if (floor.storey_idx != room.storey_idx || !AreNear(bounds[i], floor.bounds, 0)) continue;
+      if (floor.storey_idx != room.storey_idx || box.z0 >= floor.head_z) continue;
+      if (!AreNear(bounds[i], floor.bounds, 0)) continue;
       if (DoConvexOverlap(footprint, floor.part))
         problems.push_back(
             fmt::format("box {}: stands in the way of door {}", i, floor.opening_id));

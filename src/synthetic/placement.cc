@@ -37,18 +37,6 @@ Ring2 RectangleRing(const Vector2d& low, const Vector2d& high, const Vector2d& o
           origin + turn * Vector2d(low.x(), high.y())};
 }
 
-// Where a piece stands: its back's middle and its heading.
-struct Stand {
-  Vector2d origin;
-  double yaw_rad;
-};
-
-Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand, double margin_m) {
-  const double half = 0.5 * piece.footprint.x() + margin_m;
-  return RectangleRing({-half, -std::min(margin_m, 0.5 * kWallGap_m)},
-                       {half, piece.footprint.y() + margin_m}, stand.origin, stand.yaw_rad);
-}
-
 // The region of a room that furniture must leave free.
 struct RoomBlocks {
   std::vector<Ring2> everywhere;  ///< doors, furniture that is there
@@ -90,19 +78,6 @@ Stand RandomStand(const HomeRoom& room, const FurniturePiece& piece, Random& ran
   const double along_m = random.Millimetres(0, (wall.b - wall.a).norm());
   const double off_m = piece.is_against_wall ? kWallGap_m : random.Millimetres(0.3, 2.0);
   return {wall.a + along_m * wall.Along() + off_m * wall.Inward(), yaw_rad};
-}
-
-void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, const Stand& stand) {
-  const int item = home.boxes.empty() ? 0 : home.boxes.back().item + 1;
-  for (HomeBox box : piece.boxes) {
-    box.item = item;
-    box.room_id = room.id;
-    box.center = stand.origin + Rotation2Dd(stand.yaw_rad) * box.center;
-    box.yaw_rad = stand.yaw_rad;
-    box.z0 += room.floor_z;
-    box.z1 += room.floor_z;
-    home.boxes.push_back(box);
-  }
 }
 
 bool TryPlacePiece(Home& home, const HomeRoom& room, const FurniturePiece& piece,
@@ -152,6 +127,25 @@ Vector2d InnermostPlace(const Polygon2& polygon) {
 }
 
 }  // namespace
+
+Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand, double margin_m) {
+  const double half = 0.5 * piece.footprint.x() + margin_m;
+  return RectangleRing({-half, -std::min(margin_m, 0.5 * kWallGap_m)},
+                       {half, piece.footprint.y() + margin_m}, stand.origin, stand.yaw_rad);
+}
+
+void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, const Stand& stand) {
+  const int item = home.boxes.empty() ? 0 : home.boxes.back().item + 1;
+  for (HomeBox box : piece.boxes) {
+    box.item = item;
+    box.room_id = room.id;
+    box.center = stand.origin + Rotation2Dd(stand.yaw_rad) * box.center;
+    box.yaw_rad = stand.yaw_rad;
+    box.z0 += room.floor_z;
+    box.z1 += room.floor_z;
+    home.boxes.push_back(box);
+  }
+}
 
 HomeBox OpenLeaf(const HomeOpening& door) {
   // Closed, the leaf fills the hole flush with the room's face; it swings about its hinge into the

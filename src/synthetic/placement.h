@@ -3,6 +3,7 @@
 #pragma once
 
 #include "enfilade/synthetic/home.h"
+#include "src/synthetic/furniture.h"
 #include "src/synthetic/random.h"
 
 namespace enfilade {
@@ -13,6 +14,19 @@ namespace enfilade {
 /// Floor that must stay free so that a door can be walked through: on both sides, 0.9 m deep; leaf
 /// included.
 [[nodiscard]] std::vector<Ring2> DoorClearance(const HomeOpening& door);
+
+/// Where a piece stands: its back's middle and its heading.
+struct Stand {
+  Eigen::Vector2d origin{0, 0};
+  double yaw_rad = 0;
+};
+
+/// What a piece covers of the floor, with a margin at its sides and before it.
+[[nodiscard]] Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand,
+                                   double margin_m);
+
+/// Adds the boxes of a piece, an item of their own, without looking whether there is room.
+void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, const Stand& stand);
 
 struct FurnitureShare {
   double of_pieces = 0.5;  ///< that a room may hold

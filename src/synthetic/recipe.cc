@@ -25,6 +25,7 @@ HomeRecipe TourRecipe() {
   recipe.has_free_walls = true;
   recipe.num_niches = 2;
   recipe.has_built_ins = true;
+  recipe.has_fittings = true;
   recipe.has_mirror_or_low_window = true;
   recipe.furnished_rooms = 0.5;
   recipe.sun_chance = 0.6;

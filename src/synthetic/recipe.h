@@ -33,6 +33,7 @@ struct HomeRecipe {
   int num_pillars = 0;
   bool has_built_ins = false;
   bool has_cabinets_to_ceiling = false;
+  bool has_fittings = false;  ///< AddFittings
   int num_mirrors = 0;
   bool has_mirror_or_low_window = false;
   double furnished_rooms = 1;

@@ -150,7 +150,9 @@ std::map<int, WallLight> MeasureWalls(const std::vector<Surface>& surfaces,
                                       const BakedLight& light) {
   std::map<int, WallLight> walls;
   for (size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].wall_id < 0 || surfaces[i].finish != Finish::kPaint) continue;
+    const bool is_painted =
+        surfaces[i].finish == Finish::kPaint || surfaces[i].finish == Finish::kOrangePeel;
+    if (surfaces[i].wall_id < 0 || !is_painted) continue;
     const LightGrid& grid = light.reflected[i];
     WallLight& wall = walls[surfaces[i].room_id];
     for (int r = 0; r < grid.rows; ++r) {

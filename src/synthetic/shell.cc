@@ -100,7 +100,7 @@ void AddWall(const Home& home, const HomeWall& wall, SurfaceList& list) {
     begin_m = hole.end_m;
   }
   add_full(begin_m, length_m, 0);
-  surface.finish = Finish::kPaint;
+  surface.finish = room.wall_finish;
   // Hardly two walls of a home are equally white.
   Random random(PartSeed(home.seed, static_cast<uint64_t>(1000 + wall.id)));
   surface.rgb = room.wall_rgb * static_cast<float>(random.Uniform(0.975, 1.025));

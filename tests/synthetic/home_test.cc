@@ -212,14 +212,72 @@ void ExpectTourCameras(const Home& home) {
             static_cast<int>(home.rooms.size()));
 }
 
+// What is fixed to the walls, told by its measures (fitting_pieces.cc); plates are sockets and
+// switches.
+struct FittingCounts {
+  int radiators = 0, curtains = 0, wardrobes = 0, bulkheads = 0, plates = 0;
+
+  void Add(const Home& home, const HomeBox& box) {
+    const HomeRoom& room = home.RoomById(box.room_id);
+    const double low_m = box.z0 - room.floor_z, high_m = box.z1 - room.floor_z;
+    const bool is_tall = low_m < 0.02 && high_m > 1.9;
+    radiators += std::abs(low_m - 0.12) < 1e-9 && std::abs(box.size.y() - 0.053) < 1e-9;
+    curtains += is_tall && box.finish == Finish::kFabric;
+    wardrobes += is_tall && room.use == RoomUse::kBedroom && box.size.y() > 0.5;
+    bulkheads += low_m > 2.11 && box.z1 == room.ceiling_z && box.finish == Finish::kPaint;
+    const bool is_rocker = std::abs(box.size.x() - 0.034) < 1e-9 && box.size.y() > 0.015;
+    plates += std::abs(box.size.x() - 0.075) < 1e-9 || is_rocker;
+  }
+};
+
+FittingCounts CountFittings(const Home& home) {
+  FittingCounts counts;
+  for (const HomeBox& box : home.boxes) {
+    if (box.is_built_in) counts.Add(home, box);
+  }
+  return counts;
+}
+
+// How many of the homes and rooms have what tours promise of fittings.
+struct FittingShares {
+  int homes = 0, rooms = 0, bedrooms = 0;
+  int with_radiators = 0, with_curtains = 0;
+  FittingCounts total;
+
+  void Add(const Home& home) {
+    const FittingCounts counts = CountFittings(home);
+    ++homes;
+    rooms += static_cast<int>(home.rooms.size()) - NumRoomsOf(home, RoomUse::kCloset);
+    bedrooms += NumRoomsOf(home, RoomUse::kBedroom);
+    with_radiators += counts.radiators > 0;
+    with_curtains += counts.curtains > 0;
+    total.wardrobes += counts.wardrobes;
+    total.bulkheads += counts.bulkheads;
+    total.plates += counts.plates;
+  }
+
+  void ExpectPromised() const {
+    EXPECT_GE(with_radiators, homes * 0.35);
+    EXPECT_LE(with_radiators, homes * 0.55);
+    EXPECT_GE(with_curtains, homes * 0.6);
+    EXPECT_GE(total.wardrobes, bedrooms * 0.6);
+    EXPECT_GE(total.bulkheads, rooms * 0.1);
+    EXPECT_GE(total.plates, rooms * 5);
+  }
+};
+
 TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
   int num_l_or_u = 0, num_furnished = 0, num_rooms = 0, num_free = 0;
+  size_t num_cameras = 0;
+  FittingShares fittings;
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     const Home home = Make(seed, HomePreset::kTour);
     ASSERT_NO_FATAL_FAILURE(ExpectSoundPlan(home));
     ExpectPromisedTour(home);
     ExpectTourCameras(home);
+    fittings.Add(home);
+    num_cameras += home.cameras.size();
     num_rooms += static_cast<int>(home.rooms.size());
     num_furnished += NumFurnishedRooms(home);
     num_free += NumFreeRooms(home);
@@ -228,6 +286,10 @@ TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
   EXPECT_GE(num_l_or_u, kSeeds);
   EXPECT_GE(num_free, num_rooms * 0.15);
   EXPECT_GE(num_furnished, num_rooms * 0.3);
+  const double cameras_a_room = static_cast<double>(num_cameras) / fittings.rooms;
+  EXPECT_GE(cameras_a_room, 1.85);
+  EXPECT_LE(cameras_a_room, 2.1);
+  fittings.ExpectPromised();
 }
 
 bool HasBuiltIns(const Home& home, RoomUse use) {
@@ -296,7 +358,7 @@ double TiltOf(const HomeCamera& camera) {
 }
 
 TEST(MakeHome, HardHomesHoldWhatThePresetPromisesOver1000Seeds) {
-  int num_sloped = 0, num_loops = 0;
+  int num_sloped = 0, num_loops = 0, num_fitted = 0;
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     const Home home = Make(seed, HomePreset::kHard);
@@ -310,6 +372,7 @@ TEST(MakeHome, HardHomesHoldWhatThePresetPromisesOver1000Seeds) {
     EXPECT_GE(parts.to_ceiling, 1);
     EXPECT_GE(NumRoomsOf(home, RoomUse::kCloset), 1);
     ExpectTourCameras(home);
+    num_fitted += CountFittings(home).plates > 0;
     size_t num_passable = 0;
     for (const HomeOpening& opening : home.openings) num_passable += opening.IsPassable();
     num_loops += num_passable >= home.rooms.size();
@@ -327,6 +390,7 @@ TEST(MakeHome, HardHomesHoldWhatThePresetPromisesOver1000Seeds) {
   }
   EXPECT_GE(num_sloped, kSeeds / 5);
   EXPECT_GE(num_loops, 3 * kSeeds / 10);
+  EXPECT_EQ(num_fitted, kSeeds);
 }
 
 // Ids are dense and name each room, opening and picture once; what stands in a room lies between

@@ -83,6 +83,11 @@ TEST(HomeProblems, FindsEachPlantedFault) {
   EXPECT_EQ(problems(room + "window 1,0 2,0 | window 1.5,0 2.5,0"), 1u);
   EXPECT_EQ(problems(room + "box 3,1 4.5,2 | camera 1,1"), 1u);  // through a wall
   EXPECT_EQ(problems(room + "box 1,2.5 2,3 | closed 1,3 1.8,3 | camera 1,1"), 1u);
+  Home overhead = TextHome(room + "box 1,2.5 2,3 | closed 1,3 1.8,3 | camera 3,1");
+  EXPECT_EQ(HomeProblems(overhead).size(), 1u);
+  overhead.boxes[0].z0 = 2.1;  // above the door
+  overhead.boxes[0].z1 = 2.5;
+  EXPECT_EQ(HomeProblems(overhead).size(), 0u);
   Home two_boxes = TextHome(room + "box 1,1 2,2 | box 1.5,1.5 3,2.5 | camera 3.5,0.5");
   EXPECT_EQ(HomeProblems(two_boxes).size(), 1u);
   two_boxes.boxes[1].item = two_boxes.boxes[0].item;  // parts of one piece may touch

@@ -48,7 +48,17 @@ struct HomeOptions {
 };
 
 /// What a surface is made of: its pattern; the colour is given apart.
-enum class Finish { kPaint, kCarpet, kPlanks, kTiles, kWood, kFabric, kPlain, kMirror };
+enum class Finish {
+  kPaint,
+  kCarpet,
+  kPlanks,
+  kTiles,
+  kWood,
+  kFabric,
+  kPlain,
+  kMirror,
+  kOrangePeel  ///< paint from a roller or a spray gun
+};
 enum class RoomUse { kLiving, kBedroom, kKitchen, kBath, kHall, kCloset };
 
 /// The region inside the inner faces of a room's walls, from a level floor to a plane ceiling.
@@ -62,6 +72,7 @@ struct HomeRoom {
   double crown_m = 0;                   ///< height of the moulding under the ceiling
   RoomUse use = RoomUse::kLiving;
   Finish floor_finish = Finish::kCarpet;
+  Finish wall_finish = Finish::kPaint;
   Eigen::Vector3f wall_rgb{0.80f, 0.79f, 0.76f};  ///< diffuse reflectance, linear
   Eigen::Vector3f floor_rgb{0.35f, 0.30f, 0.25f};
   Eigen::Vector3f ceiling_rgb{0.82f, 0.82f, 0.80f};
@@ -171,8 +182,10 @@ struct Home {
 /// L, T and U shapes), walls of different thickness, one or two rooms with a bay or an outer wall
 /// off the axes, two with a niche or chimney breast, doors that are open, ajar and closed, a mirror
 /// or a window down to 0.35 m above the floor, a fitted kitchen and bath, loose furniture in half
-/// of the rooms, a sloped ceiling in some homes, and 8–12 cameras: one or more in every room that
-/// is no closet. Claimed poses are a little off, and nobody has measured the cameras' tilt.
+/// of the rooms, what empty rooms have too (wardrobes, shelves, curtains, radiators in some homes,
+/// bulkheads, sockets, switches, pictures), a sloped ceiling in some homes, and 8–12 cameras: one
+/// or more in every room that is no closet, about two on average. Claimed poses are a little off,
+/// and nobody has measured the cameras' tilt.
 ///
 /// Furnished homes are flats in which furniture hides 40 % or more of the floor line
 /// (HiddenFloorLineShare). Walks are flats with a camera at every 0.4–0.5 m of a path through all
