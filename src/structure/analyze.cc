@@ -33,8 +33,11 @@ constexpr std::array kCorrelatedFamilies = {0, 1, kFrontalFamily};
 // Samples of a panorama's floor: every so many columns, so many along each.
 constexpr int kShareColumnStep = 16;
 constexpr int kShareRadii = 8;
-// Through an open door less than this share of a room is seen.
-constexpr double kMinShareSeen = 0.2;
+// Through an open door less than the first share of a room's floor is seen, and within a room
+// without corners more than the second.
+constexpr double kShareThroughDoor = 0.3, kShareInRoom = 0.7;
+// So well a ceiling's height is known: its line may be this far off.
+constexpr double kCeilingError_m = 0.02;
 
 // What is kept of one panorama while its storey is solved.
 struct ViewWork {
@@ -116,7 +119,7 @@ class StoreySolver {
     std::nth_element(ceilings.begin(),
                      ceilings.begin() + static_cast<std::ptrdiff_t>(ceilings.size() / 2),
                      ceilings.end());
-    return {floor_.floor_z, ceilings[ceilings.size() / 2], floor_.baseboard_m};
+    return {floor_.floor_z, ceilings[ceilings.size() / 2], floor_.baseboard.height_m};
   }
 
   [[nodiscard]] WallProfile Profile(size_t i) const {
@@ -255,7 +258,7 @@ class StoreySolver {
     context_.log().Info(fmt::format(
         "floor at {:.3f} m, {:.3f} m below the median camera, baseboard {:.2f} m, contrast {:.3f}",
         floor_.floor_z, MedianCameraZ(works_, Iota(works_.size())) - floor_.floor_z,
-        floor_.baseboard_m, floor_.contrast));
+        floor_.baseboard.height_m, floor_.contrast));
   }
 
   static std::vector<int> Iota(size_t count) {
@@ -267,25 +270,27 @@ class StoreySolver {
   void EstimateCeilingHeights() {
     std::vector<CeilingEstimate> estimates;
     WithHeightViews([&](const std::vector<HeightView>& views) {
-      estimates = EstimateCeilings(views, floor_, SameRoom(), bins_, options_.viterbi,
+      estimates = EstimateCeilings(views, floor_, RoomMates(), bins_, options_.viterbi,
                                    options_.height, context_);
     });
     for (size_t i = 0; i < works_.size(); ++i) works_[i].ceiling = estimates[i];
   }
 
-  // For each panorama those of its room: each sees enough of the floor that the other sees.
-  [[nodiscard]] std::vector<std::vector<int>> SameRoom() const {
-    std::vector<std::vector<int>> same_room(works_.size());
+  // For each panorama those of its room: each sees much of the floor that the other sees.
+  [[nodiscard]] std::vector<std::vector<RoomMate>> RoomMates() const {
+    std::vector<std::vector<RoomMate>> mates(works_.size());
     for (size_t i = 0; i < works_.size(); ++i) {
       for (size_t j = 0; j < i; ++j) {
-        if (std::min(ShareSeen(works_[i], works_[j]), ShareSeen(works_[j], works_[i])) <
-            kMinShareSeen)
-          continue;
-        same_room[i].push_back(static_cast<int>(j));
-        same_room[j].push_back(static_cast<int>(i));
+        const double share =
+            std::min(ShareSeen(works_[i], works_[j]), ShareSeen(works_[j], works_[i]));
+        const double weight =
+            std::min(1.0, (share - kShareThroughDoor) / (kShareInRoom - kShareThroughDoor));
+        if (weight <= 0) continue;
+        mates[i].push_back({static_cast<int>(j), weight});
+        mates[j].push_back({static_cast<int>(i), weight});
       }
     }
-    return same_room;
+    return mates;
   }
 
   // Share of the floor before the walls of one panorama that lies before the walls of another.
@@ -309,11 +314,18 @@ class StoreySolver {
   }
 
   [[nodiscard]] ColumnScores FloorScores(const ViewWork& work) const {
-    return ScoreFloor(work.response, work.position.z() - floor_.floor_z, floor_.baseboard_m, bins_);
+    const double floor_m = work.position.z() - floor_.floor_z;
+    return StopFloorLines(ScoreFloor(work.response, floor_m, floor_.baseboard, bins_), floor_m,
+                          bins_, options_.floor_end);
   }
 
   [[nodiscard]] ColumnScores CeilingScores(const ViewWork& work) const {
-    return ScoreLine(work.response, work.position.z() - work.ceiling.ceiling_z, bins_);
+    // A centimetre of the ceiling's height is worth more of the distance than one of the floor's,
+    // so the ceiling line says which wall it is and the floor line where.
+    const double above_m = work.ceiling.ceiling_z - work.position.z();
+    const double reach = kCeilingError_m / above_m / bins_.log_step;
+    return WidenScores(ScoreLine(work.response, -above_m, bins_),
+                       static_cast<int>(std::lround(reach)));
   }
 
   void DropUnusedFamilies(ColumnScores& scores) const {
@@ -371,13 +383,15 @@ class StoreySolver {
       known.push_back(work.path.wall_m);
       views.push_back({positions.back(), &work.lines});
     }
-    const std::vector<std::vector<int>> same_room = SameRoom();
+    const std::vector<std::vector<RoomMate>> room_mates = RoomMates();
     ParallelFor(context_, "shared profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
-      const std::vector<int>& room = same_room[static_cast<size_t>(i)];
+      const std::vector<RoomMate>& mates = room_mates[static_cast<size_t>(i)];
       std::vector<int> others = NearestOthers(positions, static_cast<size_t>(i));
-      std::erase_if(others,
-                    [&](int j) { return std::find(room.begin(), room.end(), j) == room.end(); });
+      std::erase_if(others, [&](int j) {
+        return std::none_of(mates.begin(), mates.end(),
+                            [&](const RoomMate& mate) { return mate.view == j; });
+      });
       const ColumnScores ceiling = CeilingScores(work);
       ColumnScores scores = work.lines;
       AddScores(work.correlation, 1.0, scores);

@@ -3,8 +3,11 @@
 #include "enfilade/structure/column_scores.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
+#include "enfilade/structure/types.h"
 
 namespace enfilade {
 namespace {
@@ -39,6 +42,56 @@ float ResponseAt(const ImageU8& response, const RowRange& range, int column) {
   return best / 255.0F;
 }
 
+struct BinRange {
+  int first, last;
+};
+
+// Bins that lie behind a wall's foot, farther than the foot of a baseboard or the blur of its own
+// line.
+std::vector<BinRange> BinsBehind(const DistanceBins& bins, double reach_m) {
+  constexpr double kOwnShare = 0.1, kOwn_m = 0.05;
+  std::vector<BinRange> ranges;
+  for (int b = 0; b < bins.count; ++b) {
+    const double wall_m = bins.Distance(b);
+    ranges.push_back(
+        {static_cast<int>(std::ceil(bins.Bin((1 + kOwnShare) * wall_m + kOwn_m))),
+         std::min(bins.count - 1, static_cast<int>(std::floor(bins.Bin(wall_m + reach_m))))});
+  }
+  return ranges;
+}
+
+// Sine of the angle that a line on the floor makes with the upright in the picture: `off_rad` from
+// the column's azimuth, at `elevation_rad` below the horizon.
+double SineWithUpright(double off_rad, double elevation_rad) {
+  const double across = std::sin(off_rad) / std::cos(elevation_rad),
+               up = std::sin(elevation_rad) * std::cos(off_rad);
+  return std::abs(across) / std::hypot(across, up);
+}
+
+// For each bin of a column, how much more clearly a line on the floor that runs along family 0 or 1
+// shows there than one along `family`. Those that look upright may be upright lines of a wall.
+std::vector<float> CrossingLines(const ColumnScores& floor, int family, int column, double floor_m,
+                                 const DistanceBins& bins) {
+  constexpr double kUprightSine = 0.3, kSurelyNotSine = 0.6;
+  const ImageF& own = floor.family[static_cast<size_t>(family)];
+  const double azimuth = AzimuthOfColumn(column, own.rows());
+  std::vector<float> crossing(static_cast<size_t>(bins.count));
+  for (const int other : {0, 1}) {
+    const ImageF& across = floor.family[static_cast<size_t>(other)];
+    if (other == family || across.empty()) continue;
+    const double off = WallDirection(other, azimuth) - azimuth;
+    for (int b = 0; b < bins.count; ++b) {
+      const double sine = SineWithUpright(off, std::atan(floor_m / bins.Distance(b)));
+      const double weight =
+          std::clamp((sine - kUprightSine) / (kSurelyNotSine - kUprightSine), 0.0, 1.0);
+      float& strongest = crossing[static_cast<size_t>(b)];
+      strongest =
+          std::max(strongest, static_cast<float>(weight) * (across(column, b) - own(column, b)));
+    }
+  }
+  return crossing;
+}
+
 }  // namespace
 
 std::vector<double> DistanceBins::Centers() const {
@@ -64,14 +117,56 @@ ColumnScores ScoreLine(const LineResponse& response, double height_m, const Dist
   return scores;
 }
 
-ColumnScores ScoreFloor(const LineResponse& response, double floor_m, double baseboard_m,
+ColumnScores ScoreFloor(const LineResponse& response, double floor_m, const Baseboard& baseboard,
                         const DistanceBins& bins) {
   ColumnScores floor = ScoreLine(response, floor_m, bins);
-  if (baseboard_m <= 0) return floor;
-  ColumnScores mean;
-  AddScores(floor, 0.5, mean);
-  AddScores(ScoreLine(response, floor_m - baseboard_m, bins), 0.5, mean);
-  return mean;
+  if (baseboard.height_m <= 0) return floor;
+  ColumnScores both;
+  AddScores(floor, 1 - baseboard.share, both);
+  AddScores(ScoreLine(response, floor_m - baseboard.height_m, bins), baseboard.share, both);
+  return both;
+}
+
+ColumnScores WidenScores(const ColumnScores& scores, int reach) {
+  if (reach <= 0) return scores;
+  ColumnScores wide;
+  for (int f = 0; f < kNumFamilies; ++f) {
+    const ImageF& from = scores.family[static_cast<size_t>(f)];
+    if (from.empty()) continue;
+    ImageF to(from.rows(), from.cols());
+    for (int c = 0; c < from.rows(); ++c) {
+      for (int b = 0; b < from.cols(); ++b) {
+        const float* row = from.row(c);
+        to(c, b) = *std::max_element(row + std::max(0, b - reach),
+                                     row + std::min(from.cols(), b + reach + 1));
+      }
+    }
+    wide.family[static_cast<size_t>(f)] = std::move(to);
+  }
+  return wide;
+}
+
+ColumnScores StopFloorLines(const ColumnScores& floor, double floor_m, const DistanceBins& bins,
+                            const FloorEndOptions& options) {
+  const std::vector<BinRange> behind = BinsBehind(bins, options.reach_m);
+  ColumnScores stopped;
+  for (int f = 0; f < kNumFamilies; ++f) {
+    const ImageF& own = floor.family[static_cast<size_t>(f)];
+    if (own.empty()) continue;
+    ImageF score(own.rows(), own.cols());
+    for (int c = 0; c < own.rows(); ++c) {
+      const std::vector<float> crossing = CrossingLines(floor, f, c, floor_m, bins);
+      for (int b = 0; b < bins.count; ++b) {
+        float strongest = 0;
+        for (int i = behind[static_cast<size_t>(b)].first; i <= behind[static_cast<size_t>(b)].last;
+             ++i)
+          strongest = std::max(strongest, crossing[static_cast<size_t>(i)]);
+        score(c, b) = own(c, b) * (1 - static_cast<float>(options.weight) * strongest);
+      }
+    }
+    stopped.family[static_cast<size_t>(f)] = std::move(score);
+  }
+  return stopped;
 }
 
 ColumnScores AllowObstacles(const ColumnScores& floor, const DistanceBins& bins,

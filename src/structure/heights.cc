@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "enfilade/base/check.h"
 #include "enfilade/structure/shared_scores.h"
@@ -25,29 +26,23 @@ constexpr double kPriorWeight = 0.01;
 constexpr double kRefineReach_m = 0.06;
 constexpr double kRefineStep_m = 0.01;
 constexpr double kBaseboardStep_m = 0.01;
-constexpr double kMinBaseboard_m = 0.035;
 // Only near walls resolve the two lines.
 constexpr double kBaseboardReach_m = 2.2;
-// One side of the floor line's lobe must exceed the other by this share of its rise.
-constexpr double kMinShoulder = 0.15;
+// One side of the floor line's lobe must exceed the other, in the mean from here on, by this share
+// of the lobe's rise. Nearer to the line a lobe that is off by half a step has unequal flanks.
+constexpr double kMinShoulder_m = 0.055;
+constexpr double kMinShoulder = 0.045;
 
-// Scores of one panorama under hypothesised heights; without the correlation.
-ColumnScores LineScores(const HeightView& view, double floor_z, double baseboard_m,
-                        const double* ceiling_z, const DistanceBins& bins) {
-  ColumnScores scores;
-  if (view.use_floor) {
-    AddScores(ScoreFloor(*view.response, view.position.z() - floor_z, baseboard_m, bins), 1.0,
-              scores);
-  }
-  if (ceiling_z != nullptr)
-    AddScores(ScoreLine(*view.response, view.position.z() - *ceiling_z, bins), 1.0, scores);
-  return scores;
+// Scores of one panorama's floor line under a hypothesised height.
+ColumnScores FloorLineScores(const HeightView& view, double floor_z, const Baseboard& baseboard,
+                             const DistanceBins& bins) {
+  if (!view.use_floor) return {};
+  return ScoreFloor(*view.response, view.position.z() - floor_z, baseboard, bins);
 }
 
 // The best wall path; its score as mean response a column.
-WallPath BestPath(const HeightView& view, ColumnScores scores, const DistanceBins& bins,
+WallPath BestPath(const ColumnScores& scores, const DistanceBins& bins,
                   const PlaneViterbiOptions& viterbi) {
-  AddScores(*view.correlation, kCorrelationFactor, scores);
   WallPath path = FindWallPath(scores, bins, viterbi, false);
   path.score /= 360.0;
   return path;
@@ -57,7 +52,7 @@ WallPath BestPath(const HeightView& view, ColumnScores scores, const DistanceBin
 // and whether other panoramas see their lines where it has its walls. A wrong height moves every
 // wall away from its own camera, so that panoramas contradict each other.
 double FloorScore(std::span<const HeightView> views, const std::vector<std::vector<int>>& others,
-                  double floor_z, double baseboard_m, const DistanceBins& bins,
+                  double floor_z, const Baseboard& baseboard, const DistanceBins& bins,
                   const PlaneViterbiOptions& viterbi) {
   std::vector<ColumnScores> scores(views.size());
   std::vector<PlacedScores> placed;
@@ -68,9 +63,11 @@ double FloorScore(std::span<const HeightView> views, const std::vector<std::vect
   share.contradiction = 0;
   double sum = 0;
   for (size_t v = 0; v < views.size(); ++v) {
-    scores[v] = LineScores(views[v], floor_z, baseboard_m, nullptr, bins);
+    scores[v] = FloorLineScores(views[v], floor_z, baseboard, bins);
     placed.push_back({views[v].position.head<2>(), &scores[v]});
-    paths.push_back(BestPath(views[v], scores[v], bins, viterbi));
+    ColumnScores all = scores[v];
+    AddScores(*views[v].correlation, kCorrelationFactor, all);
+    paths.push_back(BestPath(all, bins, viterbi));
     known.push_back(paths.back().wall_m);
     sum += paths.back().score;
   }
@@ -117,7 +114,7 @@ double PeakPosition(const std::vector<double>& curve, const std::vector<double>&
 
 // The score of each floor height, with the log prior on the camera height.
 std::vector<double> ScoreFloors(std::span<const HeightView> views,
-                                const std::vector<double>& floors, double baseboard_m,
+                                const std::vector<double>& floors, const Baseboard& baseboard,
                                 double prior_camera_m, const DistanceBins& bins,
                                 const PlaneViterbiOptions& viterbi, const HeightOptions& options,
                                 RunContext& context) {
@@ -129,7 +126,7 @@ std::vector<double> ScoreFloors(std::span<const HeightView> views,
   std::vector<double> scores(floors.size());
   ParallelFor(context, "floor height", static_cast<int64_t>(floors.size()), [&](int64_t i) {
     const size_t h = static_cast<size_t>(i);
-    scores[h] = FloorScore(views, others, floors[h], baseboard_m, bins, viterbi);
+    scores[h] = FloorScore(views, others, floors[h], baseboard, bins, viterbi);
     const double camera_m = median_z - floors[h];
     scores[h] -=
         prior_camera_m > 0
@@ -147,7 +144,7 @@ std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double
   std::vector<std::vector<double>> profiles(views.size(), std::vector<double>(heights.size()));
   ParallelFor(context, "baseboard", static_cast<int64_t>(views.size()), [&](int64_t i) {
     const HeightView& view = views[static_cast<size_t>(i)];
-    ColumnScores scores = ScoreFloor(*view.response, view.position.z() - floor_z, 0, bins);
+    ColumnScores scores = ScoreFloor(*view.response, view.position.z() - floor_z, {}, bins);
     AddScores(*view.correlation, 1.0, scores);
     const WallPath path = FindWallPath(scores, bins, viterbi, false);
     for (size_t h = 0; h < heights.size(); ++h) {
@@ -171,31 +168,37 @@ std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double
   return mean;
 }
 
-// Height of a second line about the floor line, 0 when there is none. At the resolution of a
-// picture the second line is a shoulder of the first one's lobe, so the two sides of the lobe are
-// compared.
-double FindSecondLine(std::span<const HeightView> views, double floor_z, const DistanceBins& bins,
-                      const PlaneViterbiOptions& viterbi, const HeightOptions& options,
-                      RunContext& context) {
+// A second line about the one that was found.
+struct SecondLine {
+  double height_m = 0;  // above the first, negative below it; 0 when there is none
+  double share = 0;     // 0-1: its part of both lines' response
+};
+
+// At the resolution of a picture the second line is a shoulder of the first one's lobe, so the two
+// sides of the lobe are compared: one line alone is as broad above as below.
+SecondLine FindSecondLine(std::span<const HeightView> views, double floor_z,
+                          const DistanceBins& bins, const PlaneViterbiOptions& viterbi,
+                          const HeightOptions& options, RunContext& context) {
   const int reach = static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m));
   std::vector<double> heights;
   for (int i = -reach; i <= reach; ++i) heights.push_back(i * kBaseboardStep_m);
   const std::vector<double> response =
       ResponseAboutFloor(views, floor_z, heights, bins, viterbi, context);
-  const double rise = *std::max_element(response.begin(), response.end()) -
-                      *std::min_element(response.begin(), response.end());
-  std::vector<double> excess, height;
-  for (int i = static_cast<int>(std::ceil(kMinBaseboard_m / kBaseboardStep_m)); i <= reach; ++i) {
-    excess.push_back(response[static_cast<size_t>(reach + i)] -
-                     response[static_cast<size_t>(reach - i)]);
+  const auto [lowest, highest] = std::minmax_element(response.begin(), response.end());
+  const double rise = *highest - *lowest;
+  const auto at = [&](int step) { return response[static_cast<size_t>(reach + step)]; };
+  std::vector<double> excess, height;  // of what is above the line over what is below it
+  for (int i = static_cast<int>(std::ceil(kMinShoulder_m / kBaseboardStep_m)); i <= reach; ++i) {
+    excess.push_back(at(i) - at(-i));
     height.push_back(i * kBaseboardStep_m);
   }
-  const auto [lowest, highest] = std::minmax_element(excess.begin(), excess.end());
-  const bool is_above = *highest > -*lowest;
-  if (std::max(*highest, -*lowest) <= kMinShoulder * rise) return 0;
-  for (double& value : excess) value = is_above ? value : -value;
-  const double peak = PeakPosition(excess, height);
-  return is_above ? peak : -peak;
+  const double sum = std::accumulate(excess.begin(), excess.end(), 0.0);
+  if (std::abs(sum) <= kMinShoulder * rise * static_cast<double>(excess.size())) return {};
+  const int sign = sum > 0 ? 1 : -1;
+  for (double& value : excess) value *= sign;
+  const int peak = static_cast<int>(std::lround(height[ArgMax(excess)] / kBaseboardStep_m));
+  const double second = at(sign * peak) - *lowest;
+  return {sign * PeakPosition(excess, height), second / (second + rise)};
 }
 
 // Ceiling heights above the floor that are tried.
@@ -219,50 +222,59 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
   std::vector<double> floors;
   for (double h = low; h <= high + 1e-9; h += options.step_m) floors.push_back(median_z - h);
   const std::vector<double> scores =
-      ScoreFloors(views, floors, 0, prior_camera_m, bins, viterbi, options, context);
-  FloorEstimate estimate{PeakPosition(scores, floors), 0, scores[ArgMax(scores)] - Median(scores)};
+      ScoreFloors(views, floors, {}, prior_camera_m, bins, viterbi, options, context);
+  FloorEstimate estimate{PeakPosition(scores, floors), {}, scores[ArgMax(scores)] - Median(scores)};
 
-  const double second = FindSecondLine(views, estimate.floor_z, bins, viterbi, options, context);
-  estimate.baseboard_m = std::abs(second);
+  const SecondLine second =
+      FindSecondLine(views, estimate.floor_z, bins, viterbi, options, context);
+  const bool is_below = second.height_m < 0;
+  Baseboard& baseboard = estimate.baseboard;
+  // Where the upper edge won both must count, or the floor line would hardly do; a joint between
+  // tiles has no second line.
+  baseboard = {std::abs(second.height_m), is_below ? 0.5 : second.share};
   // The stronger line won the search. When that is the upper one, a floor that was found from the
   // pictures lies lower. One that was known does not: then the walls were too far, and the lower
   // line seemed to lie deeper than it does.
-  if (second < 0 && prior_camera_m <= 0) estimate.floor_z += second;
-  if (second < 0 && prior_camera_m > 0) estimate.baseboard_m /= 1 - second / prior_camera_m;
+  if (is_below && prior_camera_m <= 0) estimate.floor_z += second.height_m;
+  if (is_below && prior_camera_m > 0) baseboard.height_m /= 1 - second.height_m / prior_camera_m;
 
   // Once both lines are known, their height where they agree best with the correlation.
   floors.clear();
   for (double offset = -kRefineReach_m; offset <= kRefineReach_m + 1e-9; offset += kRefineStep_m) {
     floors.push_back(estimate.floor_z + offset);
   }
-  const std::vector<double> refined = ScoreFloors(views, floors, estimate.baseboard_m,
-                                                  prior_camera_m, bins, viterbi, options, context);
+  const std::vector<double> refined = ScoreFloors(views, floors, estimate.baseboard, prior_camera_m,
+                                                  bins, viterbi, options, context);
   estimate.floor_z = PeakPosition(refined, floors);
   return estimate;
 }
 
 std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
                                               const FloorEstimate& floor,
-                                              const std::vector<std::vector<int>>& same_room,
+                                              const std::vector<std::vector<RoomMate>>& room_mates,
                                               const DistanceBins& bins,
                                               const PlaneViterbiOptions& viterbi,
                                               const HeightOptions& options, RunContext& context) {
-  ENFILADE_CHECK(same_room.size() == views.size());
+  ENFILADE_CHECK(room_mates.size() == views.size());
   const std::vector<double> heights = CeilingCandidates(options);
   const size_t num_heights = heights.size();
+  std::vector<ColumnScores> below;
+  for (const HeightView& view : views) {
+    below.push_back(FloorLineScores(view, floor.floor_z, floor.baseboard, bins));
+    AddScores(*view.correlation, kCorrelationFactor, below.back());
+  }
   std::vector<std::vector<double>> curves(views.size(), std::vector<double>(num_heights));
-  ParallelFor(
-      context, "ceiling heights", static_cast<int64_t>(views.size() * num_heights), [&](int64_t i) {
-        const size_t v = static_cast<size_t>(i) / num_heights,
-                     h = static_cast<size_t>(i) % num_heights;
-        const double ceiling_z = floor.floor_z + heights[h];
-        if (ceiling_z < views[v].position.z() + 0.2) return;
-        curves[v][h] =
-            BestPath(views[v],
-                     LineScores(views[v], floor.floor_z, floor.baseboard_m, &ceiling_z, bins), bins,
-                     viterbi)
-                .score;
-      });
+  ParallelFor(context, "ceiling heights", static_cast<int64_t>(views.size() * num_heights),
+              [&](int64_t i) {
+                const size_t v = static_cast<size_t>(i) / num_heights,
+                             h = static_cast<size_t>(i) % num_heights;
+                const double ceiling_z = floor.floor_z + heights[h];
+                if (ceiling_z < views[v].position.z() + 0.2) return;
+                ColumnScores scores = below[v];
+                AddScores(ScoreLine(*views[v].response, views[v].position.z() - ceiling_z, bins),
+                          1.0, scores);
+                curves[v][h] = BestPath(scores, bins, viterbi).score;
+              });
   for (std::vector<double>& curve : curves) {
     const double median = Median(curve);
     for (double& value : curve) value = std::max(0.0, value - median);
@@ -276,10 +288,12 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
   std::vector<CeilingEstimate> estimates;
   for (size_t v = 0; v < views.size(); ++v) {
     std::vector<double> room = curves[v];
-    for (const int u : same_room[v]) {
-      for (size_t h = 0; h < num_heights; ++h) room[h] += curves[static_cast<size_t>(u)][h];
+    double num_views = 1;
+    for (const RoomMate& mate : room_mates[v]) {
+      const std::vector<double>& curve = curves[static_cast<size_t>(mate.view)];
+      for (size_t h = 0; h < num_heights; ++h) room[h] += mate.weight * curve[h];
+      num_views += mate.weight;
     }
-    const double num_views = static_cast<double>(same_room[v].size() + 1);
     std::vector<double> pooled = room;
     for (size_t h = 0; h < num_heights; ++h) {
       pooled[h] +=

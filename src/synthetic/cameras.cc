@@ -220,7 +220,7 @@ bool PlaceBuildingCameras(Home& home, Random& random) {
       for (Vector2d& p : cameras.places) {
         for (int k = 0; k < 2; ++k) p[k] += random.Millimetres(-kAside_m, kAside_m);
       }
-    } else if (!AddPlace(home, cameras, random)) {
+    } else if (!AddPlace(home, cameras, kCameraSpacing_m, random)) {
       return false;
     }
     AddCameras(home, cameras, height_m, 0.01, random);

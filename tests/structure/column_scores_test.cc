@@ -97,7 +97,7 @@ class DoubleEdge : public ::testing::Test {
 };
 
 TEST_F(DoubleEdge, OneLineAloneIsBiased) {
-  const ColumnScores single = ScoreFloor(response_, kCamera_m, 0, bins_);
+  const ColumnScores single = ScoreFloor(response_, kCamera_m, {}, bins_);
   for (int c = 0; c < 4; ++c) {
     // The upper edge is taken for the floor line: h / (h − b) = 1.04.
     EXPECT_NEAR(PeakDistance(single, bins_, c) / truth_.wall_m[static_cast<size_t>(c)],
@@ -106,10 +106,84 @@ TEST_F(DoubleEdge, OneLineAloneIsBiased) {
 }
 
 TEST_F(DoubleEdge, BothLinesTogetherAreNot) {
-  const ColumnScores both = ScoreFloor(response_, kCamera_m, kBaseboard_m, bins_);
+  const ColumnScores both = ScoreFloor(response_, kCamera_m, {kBaseboard_m, 0.5}, bins_);
   for (int c = 0; c < 4; ++c) {
     EXPECT_NEAR(PeakDistance(both, bins_, c) / truth_.wall_m[static_cast<size_t>(c)], 1, 0.012);
   }
+}
+
+TEST_F(DoubleEdge, EachLineCountsByItsShare) {
+  const ColumnScores lower = ScoreLine(response_, kCamera_m, bins_),
+                     upper = ScoreLine(response_, kCamera_m - kBaseboard_m, bins_),
+                     both = ScoreFloor(response_, kCamera_m, {kBaseboard_m, 0.2}, bins_);
+  for (int b = 0; b < bins_.count; ++b) {
+    EXPECT_NEAR(both.family[0](1, b), 0.8F * lower.family[0](1, b) + 0.2F * upper.family[0](1, b),
+                1e-6F);
+  }
+}
+
+TEST(WidenScores, TakesTheStrongestNearby) {
+  ColumnScores scores;
+  scores.family[1] = ImageF(3, 40);
+  for (size_t i = 0; i < scores.family[1].data().size(); ++i)
+    scores.family[1].data()[i] = static_cast<float>(i * 2654435761u % 1000) / 1000;
+  const ColumnScores wide = WidenScores(scores, 2);
+  EXPECT_TRUE(wide.family[0].empty());
+  for (int c = 0; c < 3; ++c) {
+    for (int b = 0; b < 40; ++b) {
+      float strongest = 0;
+      for (int i = std::max(0, b - 2); i <= std::min(39, b + 2); ++i)
+        strongest = std::max(strongest, scores.family[1](c, i));
+      EXPECT_EQ(wide.family[1](c, b), strongest);
+    }
+  }
+  EXPECT_EQ(WidenScores(scores, 0).family[1].data(), scores.family[1].data());
+}
+
+// One panorama of 64 columns over a floor: lines of the two axes at single distances.
+class FloorLines : public ::testing::Test {
+ protected:
+  FloorLines() {
+    for (const size_t f : {0, 1}) floor_.family[f] = ImageF(kColumns, bins_.count);
+  }
+
+  [[nodiscard]] int Bin(double distance_m) const {
+    return static_cast<int>(std::lround(bins_.Bin(distance_m)));
+  }
+  void Draw(int family, int column, double distance_m, float response) {
+    floor_.family[static_cast<size_t>(family)](column, Bin(distance_m)) = response;
+  }
+  [[nodiscard]] float Stopped(int family, int column, double distance_m) const {
+    return StopFloorLines(floor_, 1.5, bins_, {0.8, 1.2})
+        .family[static_cast<size_t>(family)](column, Bin(distance_m));
+  }
+
+  static constexpr int kColumns = 64;
+  static constexpr int kDiagonal = 40;  // looks along 45 degrees: both axes lean in the picture
+  static constexpr int kSquare = 47;    // looks square on a wall of family 0
+  DistanceBins bins_;
+  ColumnScores floor_;
+};
+
+TEST_F(FloorLines, KeepTheirScoreWhereTheFloorEnds) {
+  Draw(0, kDiagonal, 2.0, 0.9F);
+  Draw(0, kDiagonal, 2.5, 0.7F);   // along the wall: a sill
+  Draw(1, kDiagonal, 1.5, 0.7F);   // a joint on the floor before it
+  Draw(1, kDiagonal, 2.05, 0.7F);  // too near to tell from the line itself
+  Draw(1, kDiagonal, 3.6, 0.7F);   // far behind it
+  EXPECT_FLOAT_EQ(Stopped(0, kDiagonal, 2.0), 0.9F);
+}
+
+TEST_F(FloorLines, LoseItWhereTheFloorGoesOn) {
+  Draw(0, kDiagonal, 2.0, 0.9F);
+  Draw(1, kDiagonal, 2.6, 0.5F);
+  EXPECT_FLOAT_EQ(Stopped(0, kDiagonal, 2.0), 0.9F * (1 - 0.8F * 0.5F));
+}
+
+TEST_F(FloorLines, AreNotStoppedByWhatMayBeAnUprightLineOfTheWall) {
+  Draw(0, kSquare, 2.0, 0.9F);
+  Draw(1, kSquare, 2.6, 1.0F);
+  EXPECT_FLOAT_EQ(Stopped(0, kSquare, 2.0), 0.9F);
 }
 
 TEST(AllowObstacles, AWallMayStandBehindTheLineAtACost) {

@@ -58,7 +58,7 @@ TEST(EstimateFloor, FindsFloorAndBaseboardWhateverTheCameraHeight) {
     const FloorEstimate floor = Floor({PerfectView(room, {1.2, 1.1, 0.3 + camera_m}),
                                        PerfectView(room, {2.9, 1.9, 0.31 + camera_m}, false)});
     EXPECT_NEAR(floor.floor_z, 0.3, 0.02) << camera_m;
-    EXPECT_NEAR(floor.baseboard_m, 0.08, 0.025) << camera_m;
+    EXPECT_NEAR(floor.baseboard.height_m, 0.08, 0.025) << camera_m;
     EXPECT_GT(floor.contrast, 0.1) << camera_m;
   }
 }
@@ -68,7 +68,25 @@ TEST(EstimateFloor, WithoutBaseboardASingleLineIsFound) {
   const FloorEstimate floor =
       Floor({PerfectView(room, {1.2, 1.1, 1.2}), PerfectView(room, {2.9, 1.9, 1.2}, false)});
   EXPECT_NEAR(floor.floor_z, -0.2, 0.02);
-  EXPECT_EQ(floor.baseboard_m, 0);
+  EXPECT_EQ(floor.baseboard.height_m, 0);
+}
+
+// The lower line is all but lost in the shadow of the baseboard: the floor is still below it.
+TEST(EstimateFloor, TheUpperEdgeOfABaseboardIsNoFloor) {
+  const BoxRoom room = RoomWith(0.1, 2.6, 0.08);
+  std::vector<PerfectView> views = {PerfectView(room, {1.2, 1.1, 1.5}),
+                                    PerfectView(room, {2.9, 1.9, 1.5})};
+  for (PerfectView& view : views) {
+    const LineResponse lower = PerfectResponse(view.truth, kRows, {0.1 - 1.5});
+    const LineResponse upper = PerfectResponse(view.truth, kRows, {0.18 - 1.5});
+    for (const size_t f : {0, 1}) {
+      for (size_t i = 0; i < lower.family[f].data().size(); ++i) {
+        view.response.family[f].data()[i] =
+            std::max<uint8_t>(lower.family[f].data()[i] / 5, upper.family[f].data()[i]);
+      }
+    }
+  }
+  EXPECT_NEAR(Floor(views).floor_z, 0.1, 0.025);
 }
 
 TEST(EstimateFloor, APriorDecidesWhatOneBlankRoomCannot) {
@@ -87,10 +105,11 @@ TEST(EstimateFloor, APriorDecidesWhatOneBlankRoomCannot) {
 }
 
 std::vector<CeilingEstimate> Ceilings(const std::vector<PerfectView>& views,
-                                      const std::vector<std::vector<int>>& same_room,
+                                      const std::vector<std::vector<RoomMate>>& room_mates,
                                       double baseboard_m) {
   RunContext context(2);
-  return EstimateCeilings(ViewsOf(views), {0, baseboard_m, 0}, same_room, kBins, {}, {}, context);
+  return EstimateCeilings(ViewsOf(views), {0, {baseboard_m, 0.5}, 0}, room_mates, kBins, {}, {},
+                          context);
 }
 
 TEST(EstimateCeilings, RoomsOfDifferentHeightKeepTheirs) {
@@ -98,7 +117,7 @@ TEST(EstimateCeilings, RoomsOfDifferentHeightKeepTheirs) {
   const std::vector<CeilingEstimate> ceilings =
       Ceilings({PerfectView(low, {1.2, 1.1, 1.4}), PerfectView(low, {2.4, 2.0, 1.4}),
                 PerfectView(high, {1.7, 0.9, 1.41})},
-               {{1}, {0}, {}}, 0.07);
+               {{{1}}, {{0}}, {}}, 0.07);
   EXPECT_NEAR(ceilings[0].ceiling_z, 2.33, 0.03);
   EXPECT_NEAR(ceilings[1].ceiling_z, 2.33, 0.03);
   EXPECT_NEAR(ceilings[2].ceiling_z, 2.61, 0.03);
@@ -109,8 +128,23 @@ TEST(EstimateCeilings, APanoramaThatSeesNoneTakesItsRoomsCeiling) {
   const BoxRoom room = RoomWith(0, 2.75, 0.07);
   const std::vector<CeilingEstimate> ceilings =
       Ceilings({PerfectView(room, {1.2, 1.1, 1.4}), PerfectView(room, {2.4, 2.0, 1.4}, false)},
-               {{1}, {0}}, 0.07);
+               {{{1}}, {{0}}}, 0.07);
   EXPECT_NEAR(ceilings[1].ceiling_z, 2.75, 0.03);
+}
+
+// Three panoramas of the next room are seen through its door.
+TEST(EstimateCeilings, APanoramaKeepsItsCeilingAgainstThoseOfTheNextRoom) {
+  const BoxRoom low = RoomWith(0, 2.33, 0.07), high = RoomWith(0, 2.61, 0.07);
+  const std::vector<CeilingEstimate> ceilings =
+      Ceilings({PerfectView(high, {1.7, 0.9, 1.4}), PerfectView(low, {1.2, 1.1, 1.4}),
+                PerfectView(low, {2.4, 2.0, 1.4}), PerfectView(low, {2.0, 1.2, 1.4})},
+               {{{1, 0.1}, {2, 0.1}, {3, 0.1}},
+                {{0, 0.1}, {2}, {3}},
+                {{0, 0.1}, {1}, {3}},
+                {{0, 0.1}, {1}, {2}}},
+               0.07);
+  EXPECT_NEAR(ceilings[0].ceiling_z, 2.61, 0.03);
+  EXPECT_NEAR(ceilings[1].ceiling_z, 2.33, 0.03);
 }
 
 // The tops of cabinets along half of the walls are as clear as a ceiling that shows above

@@ -32,12 +32,13 @@ struct StructureOptions {
   bool use_diagonals = true;
   bool use_frontal = true;
   double floor_weight = 1.0;
-  double ceiling_weight = 0.6;
+  double ceiling_weight = 1.0;
   double correlation_weight = 1.5;
   double shared_weight = 1.0;
   double clear_response = 0.4;
   HeadingOptions heading;
   LineResponseOptions line;
+  FloorEndOptions floor_end;
   ObstacleOptions obstacle;
   StripCorrelationOptions correlation;
   SharedScoresOptions shared;
@@ -66,6 +67,7 @@ struct StructureOptions {
       {0.0, 10.0});
     v("heading", heading, "Heading of the walls.");
     v("line", line, "Response to floor and ceiling lines.");
+    v("floor_end", floor_end, "Lines on the floor at which it does not end.");
     v("obstacle", obstacle, "Things that stand before a wall.");
     v("correlation", correlation, "Correlation of wall strips.");
     v("shared", shared, "Lines that other panoramas see.");

@@ -37,16 +37,48 @@ struct ColumnScores {
 [[nodiscard]] ColumnScores ScoreLine(const LineResponse& response, double height_m,
                                      const DistanceBins& bins);
 
-/// Mean response of the floor line at `floor_m` below the camera and, when `baseboard_m` > 0, of
-/// the upper edge of the baseboard: the edge between floor and wall is a double edge, and taking
-/// the stronger one alone biases every distance.
+/// The strongest score within `reach` bins to either side: for lines at a height that is not known
+/// exactly.
+[[nodiscard]] ColumnScores WidenScores(const ColumnScores& scores, int reach);
+
+/// The second line between floor and wall: the upper edge of the baseboards.
+struct Baseboard {
+  double height_m = 0;  ///< above the floor; 0 for none
+  double share = 0.5;   ///< 0–1: what the upper edge has of both lines' response
+};
+
+/// Response of the floor line at `floor_m` below the camera and of the upper edge of the baseboard,
+/// each by its share: the edge between floor and wall is a double edge, and taking the stronger one
+/// for the floor biases every distance.
 [[nodiscard]] ColumnScores ScoreFloor(const LineResponse& response, double floor_m,
-                                      double baseboard_m, const DistanceBins& bins);
+                                      const Baseboard& baseboard, const DistanceBins& bins);
+
+struct FloorEndOptions {
+  double weight = 0.8;
+  double reach_m = 1.2;
+
+  void Visit(OptionVisitor& v) {
+    v("weight", weight, "Share of its score that a line loses when the floor goes on behind it.",
+      {0.0, 1.0});
+    v("reach_m", reach_m, "How far behind a line it is looked whether the floor goes on, metres.",
+      {0.0, 10.0});
+  }
+};
+
+/// Takes floor lines for what they are worth when the floor goes on behind them: joints between
+/// tiles, edges of rugs, thresholds. Lines that run across the hypothesised wall (of families 0 and
+/// 1) cannot lie on it, as a wall shows level lines along it and upright ones; where such a line
+/// shows within `reach_m` behind the wall's foot, more clearly than one along the wall, up to
+/// `weight` of the score is lost. Orientation maps (Lee, Hebert & Kanade, CVPR 2009) reason
+/// likewise. `floor` are the responses of floor lines of a camera `floor_m` above the floor. Cost
+/// O(columns × bins × bins within reach_m).
+[[nodiscard]] ColumnScores StopFloorLines(const ColumnScores& floor, double floor_m,
+                                          const DistanceBins& bins, const FloorEndOptions& options);
 
 struct ObstacleOptions {
   double min_gap_m = 0.25;
   double max_gap_m = 0.9;
-  double cost = 0.6;
+  double cost = 0.45;
 
   void Visit(OptionVisitor& v) {
     v("min_gap_m", min_gap_m,

@@ -19,9 +19,9 @@ struct HeightOptions {
   double camera_prior_sigma_m = 0.03;
   double typical_camera_m = 1.5;
   double typical_camera_sigma_m = 0.25;
-  double min_room_m = 1.9;
+  double min_room_m = 2.15;
   double max_room_m = 4.2;
-  double step_m = 0.04;
+  double step_m = 0.02;
   double max_baseboard_m = 0.16;
   double typical_room_m = 2.5;
   double typical_room_sigma_m = 0.2;
@@ -62,8 +62,8 @@ struct HeightView {
 
 struct FloorEstimate {
   double floor_z = 0;
-  double baseboard_m = 0;  ///< 0 when a single line explains the pictures better
-  double contrast = 0;     ///< score at the optimum above the median candidate, mean response
+  Baseboard baseboard;  ///< of no height when a single line explains the pictures better
+  double contrast = 0;  ///< score at the optimum above the median candidate, mean response
 };
 
 /// The floor of one storey, common to its panoramas: the height at which floor lines, correlation
@@ -80,13 +80,19 @@ struct CeilingEstimate {
   double weight = 1;  ///< 0–1: how clearly the ceiling is one level plane
 };
 
+/// A panorama that may stand in the same room as another.
+struct RoomMate {
+  int view = 0;
+  double weight = 1;  ///< 0–1: how surely
+};
+
 /// The ceiling over each panorama. Score curves over the height are pooled with those of the
-/// panoramas in the same room (`same_room[i]` lists them) and of the whole home, and with what
+/// panoramas in the same room (`room_mates[i]` lists them) and of the whole home, and with what
 /// rooms usually measure: one panorama alone errs by up to half a metre in a closet, and takes the
 /// tops of cabinets for a ceiling.
 [[nodiscard]] std::vector<CeilingEstimate> EstimateCeilings(
     std::span<const HeightView> views, const FloorEstimate& floor,
-    const std::vector<std::vector<int>>& same_room, const DistanceBins& bins,
+    const std::vector<std::vector<RoomMate>>& room_mates, const DistanceBins& bins,
     const PlaneViterbiOptions& viterbi, const HeightOptions& options, RunContext& context);
 
 }  // namespace enfilade
