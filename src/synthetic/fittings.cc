@@ -18,10 +18,10 @@ using Eigen::Vector3f;
 
 constexpr double kRadiatorHomes = 0.4;
 constexpr double kToCeiling = 0.8;  // of what stands up to 2 m or higher
-constexpr double kCurtainWindows = 0.6;
+constexpr double kCurtainWindows = 0.35;
 constexpr double kDrawnCurtains = 0.25;  // of these
-constexpr double kBulkheadRooms = 0.2;
-constexpr double kBoxRooms = 0.12;       // of the rooms without furniture
+constexpr double kBulkheadRooms = 0.15;
+constexpr double kBoxRooms = 0.08;       // of the rooms without furniture
 constexpr double kLowBulkhead_m = 2.12;  // passes above door frames
 
 // One room and what there is in it already.
@@ -62,15 +62,15 @@ FurniturePiece Larder(double width_m, double top_m, Random& random) {
 std::vector<CupboardRow> CupboardsFor(RoomUse use) {
   switch (use) {
     case RoomUse::kBedroom:
-      return {{FittedWardrobe, 0.9, 2.8}};
+      return {{FittedWardrobe, 0.5, 2.2}};
     case RoomUse::kLiving:
-      return {{FittedShelves, 0.8, 2.8}, {CoatCupboard, 0.2, 1.8}};
+      return {{FittedShelves, 0.4, 2.0}, {CoatCupboard, 0.2, 1.4}};
     case RoomUse::kKitchen:
       return {{Larder, 0.3, 1.2}};
     case RoomUse::kBath:
-      return {{CoatCupboard, 0.5, 1.0}};
+      return {{CoatCupboard, 0.3, 0.8}};
     case RoomUse::kHall:
-      return {{CoatCupboard, 0.7, 1.6}};
+      return {{CoatCupboard, 0.3, 1.2}};
     case RoomUse::kCloset:
       break;
   }
@@ -78,7 +78,7 @@ std::vector<CupboardRow> CupboardsFor(RoomUse use) {
 }
 
 void FitCupboards(RoomToFit& fit, Random& random) {
-  if (fit.room.use == RoomUse::kBath && random.Chance(0.5))
+  if (fit.room.use == RoomUse::kBath && random.Chance(0.35))
     (void)fit.walls.FixSomewhere(ShowerCabin(random), random);
   for (const CupboardRow& row : CupboardsFor(fit.room.use)) {
     if (!random.Chance(row.chance)) continue;

@@ -259,8 +259,8 @@ struct FittingShares {
   void ExpectPromised() const {
     EXPECT_GE(with_radiators, homes * 0.35);
     EXPECT_LE(with_radiators, homes * 0.55);
-    EXPECT_GE(with_curtains, homes * 0.6);
-    EXPECT_GE(total.wardrobes, bedrooms * 0.6);
+    EXPECT_GE(with_curtains, homes * 0.5);
+    EXPECT_GE(total.wardrobes, bedrooms * 0.4);
     EXPECT_GE(total.bulkheads, rooms * 0.1);
     EXPECT_GE(total.plates, rooms * 5);
   }
