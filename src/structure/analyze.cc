@@ -270,8 +270,9 @@ class StoreySolver {
   void EstimateCeilingHeights() {
     std::vector<CeilingEstimate> estimates;
     WithHeightViews([&](const std::vector<HeightView>& views) {
-      estimates = EstimateCeilings(views, floor_, RoomMates(), bins_, options_.viterbi,
-                                   options_.height, context_);
+      estimates = EstimateCeilings(views, floor_, RoomMates(),
+                                   options_.use_obstacles ? &options_.obstacle : nullptr, bins_,
+                                   options_.viterbi, options_.height, context_);
     });
     for (size_t i = 0; i < works_.size(); ++i) works_[i].ceiling = estimates[i];
   }

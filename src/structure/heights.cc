@@ -252,6 +252,7 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
 std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
                                               const FloorEstimate& floor,
                                               const std::vector<std::vector<RoomMate>>& room_mates,
+                                              const ObstacleOptions* obstacle,
                                               const DistanceBins& bins,
                                               const PlaneViterbiOptions& viterbi,
                                               const HeightOptions& options, RunContext& context) {
@@ -260,7 +261,8 @@ std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,
   const size_t num_heights = heights.size();
   std::vector<ColumnScores> below;
   for (const HeightView& view : views) {
-    below.push_back(FloorLineScores(view, floor.floor_z, floor.baseboard, bins));
+    const ColumnScores line = FloorLineScores(view, floor.floor_z, floor.baseboard, bins);
+    below.push_back(obstacle != nullptr ? AllowObstacles(line, bins, *obstacle) : line);
     AddScores(*view.correlation, kCorrelationFactor, below.back());
   }
   std::vector<std::vector<double>> curves(views.size(), std::vector<double>(num_heights));

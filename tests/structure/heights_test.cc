@@ -108,8 +108,8 @@ std::vector<CeilingEstimate> Ceilings(const std::vector<PerfectView>& views,
                                       const std::vector<std::vector<RoomMate>>& room_mates,
                                       double baseboard_m) {
   RunContext context(2);
-  return EstimateCeilings(ViewsOf(views), {0, {baseboard_m, 0.5}, 0}, room_mates, kBins, {}, {},
-                          context);
+  return EstimateCeilings(ViewsOf(views), {0, {baseboard_m, 0.5}, 0}, room_mates, nullptr, kBins,
+                          {}, {}, context);
 }
 
 TEST(EstimateCeilings, RoomsOfDifferentHeightKeepTheirs) {

@@ -89,10 +89,12 @@ struct RoomMate {
 /// The ceiling over each panorama. Score curves over the height are pooled with those of the
 /// panoramas in the same room (`room_mates[i]` lists them) and of the whole home, and with what
 /// rooms usually measure: one panorama alone errs by up to half a metre in a closet, and takes the
-/// tops of cabinets for a ceiling.
+/// tops of cabinets for a ceiling. Things may stand before walls (`obstacle`; null: nothing does),
+/// or the ceiling would be sought where it meets the front of the furniture.
 [[nodiscard]] std::vector<CeilingEstimate> EstimateCeilings(
     std::span<const HeightView> views, const FloorEstimate& floor,
-    const std::vector<std::vector<RoomMate>>& room_mates, const DistanceBins& bins,
-    const PlaneViterbiOptions& viterbi, const HeightOptions& options, RunContext& context);
+    const std::vector<std::vector<RoomMate>>& room_mates, const ObstacleOptions* obstacle,
+    const DistanceBins& bins, const PlaneViterbiOptions& viterbi, const HeightOptions& options,
+    RunContext& context);
 
 }  // namespace enfilade
