@@ -60,28 +60,38 @@ std::vector<BinRange> BinsBehind(const DistanceBins& bins, double reach_m) {
   return ranges;
 }
 
-// Sine of the angle that a line on the floor makes with the upright in the picture: `off_rad` from
-// the column's azimuth, at `elevation_rad` below the horizon.
-double SineWithUpright(double off_rad, double elevation_rad) {
-  const double across = std::sin(off_rad) / std::cos(elevation_rad),
-               up = std::sin(elevation_rad) * std::cos(off_rad);
-  return std::abs(across) / std::hypot(across, up);
+// Of the elevation below the horizon at which each bin's floor is seen.
+struct Elevation {
+  double sine, cosine;
+};
+
+std::vector<Elevation> ElevationsOfFloor(double floor_m, const DistanceBins& bins) {
+  std::vector<Elevation> elevations;
+  for (int b = 0; b < bins.count; ++b) {
+    const double elevation = std::atan(floor_m / bins.Distance(b));
+    elevations.push_back({std::sin(elevation), std::cos(elevation)});
+  }
+  return elevations;
 }
 
 // For each bin of a column, how much more clearly a line on the floor that runs along family 0 or 1
 // shows there than one along `family`. Those that look upright may be upright lines of a wall.
-std::vector<float> CrossingLines(const ColumnScores& floor, int family, int column, double floor_m,
-                                 const DistanceBins& bins) {
+std::vector<float> CrossingLines(const ColumnScores& floor, int family, int column,
+                                 const std::vector<Elevation>& elevations) {
   constexpr double kUprightSine = 0.3, kSurelyNotSine = 0.6;
   const ImageF& own = floor.family[static_cast<size_t>(family)];
   const double azimuth = AzimuthOfColumn(column, own.rows());
-  std::vector<float> crossing(static_cast<size_t>(bins.count));
+  std::vector<float> crossing(elevations.size());
   for (const int other : {0, 1}) {
     const ImageF& across = floor.family[static_cast<size_t>(other)];
     if (other == family || across.empty()) continue;
     const double off = WallDirection(other, azimuth) - azimuth;
-    for (int b = 0; b < bins.count; ++b) {
-      const double sine = SineWithUpright(off, std::atan(floor_m / bins.Distance(b)));
+    const double sin_off = std::sin(off), cos_off = std::cos(off);
+    for (int b = 0; b < own.cols(); ++b) {
+      const Elevation& elevation = elevations[static_cast<size_t>(b)];
+      // Of the angle between the line and the upright in the picture.
+      const double x = sin_off / elevation.cosine, y = elevation.sine * cos_off;
+      const double sine = std::abs(x) / std::hypot(x, y);
       const double weight =
           std::clamp((sine - kUprightSine) / (kSurelyNotSine - kUprightSine), 0.0, 1.0);
       float& strongest = crossing[static_cast<size_t>(b)];
@@ -149,13 +159,14 @@ ColumnScores WidenScores(const ColumnScores& scores, int reach) {
 ColumnScores StopFloorLines(const ColumnScores& floor, double floor_m, const DistanceBins& bins,
                             const FloorEndOptions& options) {
   const std::vector<BinRange> behind = BinsBehind(bins, options.reach_m);
+  const std::vector<Elevation> elevations = ElevationsOfFloor(floor_m, bins);
   ColumnScores stopped;
   for (int f = 0; f < kNumFamilies; ++f) {
     const ImageF& own = floor.family[static_cast<size_t>(f)];
     if (own.empty()) continue;
     ImageF score(own.rows(), own.cols());
     for (int c = 0; c < own.rows(); ++c) {
-      const std::vector<float> crossing = CrossingLines(floor, f, c, floor_m, bins);
+      const std::vector<float> crossing = CrossingLines(floor, f, c, elevations);
       for (int b = 0; b < bins.count; ++b) {
         float strongest = 0;
         for (int i = behind[static_cast<size_t>(b)].first; i <= behind[static_cast<size_t>(b)].last;
