@@ -34,9 +34,10 @@ std::vector<Vector4d> PosesOf(const Home& walk) {
     const Vector3d& p = pose.translation;
     double azimuth = std::atan2(pose.rotation(1, 2), pose.rotation(0, 2));
     if (!poses.empty()) {
-      const bool is_near = (p - poses.back().head<3>()).norm() <= kMaxStep_m;
-      if (!is_near) poses.clear();
-      if (!is_near) break;
+      if ((p - poses.back().head<3>()).norm() > kMaxStep_m) {
+        poses.clear();
+        break;
+      }
       azimuth = poses.back()[3] + WrapPi(azimuth - poses.back()[3]);
     }
     poses.emplace_back(p.x(), p.y(), p.z(), azimuth);
