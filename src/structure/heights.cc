@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "enfilade/base/check.h"
 #include "enfilade/structure/shared_scores.h"
@@ -23,15 +24,24 @@ constexpr double kShareFactor = 2.0;
 // for ten of them.
 constexpr double kPriorWeight = 0.01;
 // The last search for the floor's height.
-constexpr double kRefineReach_m = 0.06;
+constexpr double kRefineReach_m = 0.04;
 constexpr double kRefineStep_m = 0.01;
+// Heights of baseboards are tried in such steps, from so many on, together with the floor's.
 constexpr double kBaseboardStep_m = 0.01;
+constexpr int kLowestBaseboard = 5;
+// So far beyond the line that was found, and the line below it, the floor is sought again.
+constexpr double kBaseboardSlack_m = 0.02;
+// What a baseboard must gain, as a share of the score.
+constexpr double kMinBaseboardGain = 0.01;
 // Only near walls resolve the two lines.
 constexpr double kBaseboardReach_m = 2.2;
-// One side of the floor line's lobe must exceed the other, in the mean from here on, by this share
-// of the lobe's rise. Nearer to the line a lobe that is off by half a step has unequal flanks.
-constexpr double kMinShoulder_m = 0.055;
-constexpr double kMinShoulder = 0.045;
+// Steps by which a column may be off its wall's line; response from which there is a line at all.
+constexpr int kAlignSteps = 5;
+constexpr double kMinLineResponse = 0.3;
+// One side of the line's lobe must exceed the other, in the mean from here on, by this share of the
+// line's response.
+constexpr double kMinShoulder_m = 0.07;
+constexpr double kMinShoulder = 0.03;
 
 // Scores of one panorama's floor line under a hypothesised height.
 ColumnScores FloorLineScores(const HeightView& view, double floor_z, const Baseboard& baseboard,
@@ -136,69 +146,96 @@ std::vector<double> ScoreFloors(std::span<const HeightView> views,
   return scores;
 }
 
-// Mean response, along the near walls that a single floor line finds, at each height about that
-// line.
-std::vector<double> ResponseAboutFloor(std::span<const HeightView> views, double floor_z,
-                                       const std::vector<double>& heights, const DistanceBins& bins,
-                                       const PlaneViterbiOptions& viterbi, RunContext& context) {
-  std::vector<std::vector<double>> profiles(views.size(), std::vector<double>(heights.size()));
-  ParallelFor(context, "baseboard", static_cast<int64_t>(views.size()), [&](int64_t i) {
-    const HeightView& view = views[static_cast<size_t>(i)];
-    ColumnScores scores = ScoreFloor(*view.response, view.position.z() - floor_z, {}, bins);
-    AddScores(*view.correlation, 1.0, scores);
-    const WallPath path = FindWallPath(scores, bins, viterbi, false);
-    for (size_t h = 0; h < heights.size(); ++h) {
-      const ColumnScores line =
-          ScoreLine(*view.response, view.position.z() - floor_z - heights[h], bins);
-      double sum = 0;
-      for (size_t c = 0; c < path.wall_m.size(); ++c) {
-        if (path.wall_m[c] > kBaseboardReach_m) continue;
-        const int bin =
-            std::clamp(static_cast<int>(std::lround(bins.Bin(path.wall_m[c]))), 0, bins.count - 1);
-        sum += line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin);
-      }
-      profiles[static_cast<size_t>(i)][h] = sum / static_cast<double>(path.wall_m.size());
-    }
-  });
-  std::vector<double> mean(heights.size());
-  for (const std::vector<double>& profile : profiles) {
-    for (size_t h = 0; h < heights.size(); ++h)
-      mean[h] += profile[h] / static_cast<double>(views.size());
-  }
-  return mean;
+// Floors below a camera at `median_z`, from `low` to `high` metres.
+std::vector<double> FloorsBelow(double median_z, double low, double high, double step) {
+  std::vector<double> floors;
+  for (double h = low; h <= high + 1e-9; h += step) floors.push_back(median_z - h);
+  return floors;
 }
 
-// A second line about the one that was found.
-struct SecondLine {
-  double height_m = 0;  // above the first, negative below it; 0 when there is none
-  double share = 0;     // 0-1: its part of both lines' response
-};
-
-// At the resolution of a picture the second line is a shoulder of the first one's lobe, so the two
-// sides of the lobe are compared: one line alone is as broad above as below.
-SecondLine FindSecondLine(std::span<const HeightView> views, double floor_z,
-                          const DistanceBins& bins, const PlaneViterbiOptions& viterbi,
-                          const HeightOptions& options, RunContext& context) {
-  const int reach = static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m));
-  std::vector<double> heights;
-  for (int i = -reach; i <= reach; ++i) heights.push_back(i * kBaseboardStep_m);
-  const std::vector<double> response =
-      ResponseAboutFloor(views, floor_z, heights, bins, viterbi, context);
-  const auto [lowest, highest] = std::minmax_element(response.begin(), response.end());
-  const double rise = *highest - *lowest;
-  const auto at = [&](int step) { return response[static_cast<size_t>(reach + step)]; };
-  std::vector<double> excess, height;  // of what is above the line over what is below it
-  for (int i = static_cast<int>(std::ceil(kMinShoulder_m / kBaseboardStep_m)); i <= reach; ++i) {
-    excess.push_back(at(i) - at(-i));
-    height.push_back(i * kBaseboardStep_m);
+// Mean response along the near walls that a single floor line finds, by steps of height about that
+// line: `reach` steps below it, itself, `reach` above. Each column is aligned at its own strongest
+// response, as a wall is found but to a few centimetres.
+std::vector<double> ResponseAboutLine(std::span<const HeightView> views, double floor_z, int reach,
+                                      const DistanceBins& bins, const PlaneViterbiOptions& viterbi,
+                                      RunContext& context) {
+  struct Sum {
+    std::vector<double> response;
+    int count = 0;
+  };
+  const int length = 2 * reach + 1;
+  std::vector<Sum> sums(views.size(), {std::vector<double>(static_cast<size_t>(length)), 0});
+  ParallelFor(context, "baseboard", static_cast<int64_t>(views.size()), [&](int64_t i) {
+    const HeightView& view = views[static_cast<size_t>(i)];
+    ColumnScores scores = FloorLineScores(view, floor_z, {}, bins);
+    AddScores(*view.correlation, 1.0, scores);
+    const WallPath path = BestPath(scores, bins, viterbi);
+    std::vector<ColumnScores> lines;
+    for (int k = -reach - kAlignSteps; k <= reach + kAlignSteps; ++k) {
+      const double floor_m = view.position.z() - floor_z;
+      lines.push_back(ScoreLine(*view.response, floor_m - k * kBaseboardStep_m, bins));
+    }
+    Sum& sum = sums[static_cast<size_t>(i)];
+    for (size_t c = 0; c < path.wall_m.size(); ++c) {
+      if (path.wall_m[c] > kBaseboardReach_m) continue;
+      const int bin =
+          std::clamp(static_cast<int>(std::lround(bins.Bin(path.wall_m[c]))), 0, bins.count - 1);
+      std::vector<double> response;
+      for (const ColumnScores& line : lines) {
+        response.push_back(
+            line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin));
+      }
+      const auto first = response.begin() + reach;
+      const auto peak = std::max_element(first, first + 2 * kAlignSteps + 1);
+      if (*peak < kMinLineResponse) continue;
+      for (int k = 0; k < length; ++k) sum.response[static_cast<size_t>(k)] += *(peak - reach + k);
+      ++sum.count;
+    }
+  });
+  Sum total = sums.front();
+  for (size_t i = 1; i < sums.size(); ++i) {
+    for (size_t k = 0; k < total.response.size(); ++k) total.response[k] += sums[i].response[k];
+    total.count += sums[i].count;
   }
+  for (double& value : total.response) value /= std::max(1, total.count);
+  return total.response;
+}
+
+// Where pictures do not part the two lines the second one is a shoulder of the first one's lobe: a
+// line alone is as broad above as below. The number of steps to the second line, if there is one.
+std::optional<int> ShoulderOfLine(const std::vector<double>& response) {
+  const int reach = static_cast<int>(response.size()) / 2;
+  const auto at = [&](int step) { return response[static_cast<size_t>(reach + step)]; };
+  const int nearest = static_cast<int>(std::lround(kMinShoulder_m / kBaseboardStep_m));
+  std::vector<double> excess;  // of what is above the line over what is below it
+  for (int i = nearest; i <= reach; ++i) excess.push_back(at(i) - at(-i));
   const double sum = std::accumulate(excess.begin(), excess.end(), 0.0);
-  if (std::abs(sum) <= kMinShoulder * rise * static_cast<double>(excess.size())) return {};
-  const int sign = sum > 0 ? 1 : -1;
-  for (double& value : excess) value *= sign;
-  const int peak = static_cast<int>(std::lround(height[ArgMax(excess)] / kBaseboardStep_m));
-  const double second = at(sign * peak) - *lowest;
-  return {sign * PeakPosition(excess, height), second / (second + rise)};
+  if (std::abs(sum) <= kMinShoulder * at(0) * static_cast<double>(excess.size()))
+    return std::nullopt;
+  if (sum < 0) {
+    for (double& value : excess) value = -value;
+  }
+  return nearest + static_cast<int>(ArgMax(excess));
+}
+
+// The baseboard, in steps, whose score stands out; none when there is a single line. Then
+// scores only fall as the two lines part, so a baseboard is what stands out above the straight line
+// from the lowest to the tallest. Paths change by leaps: neighbours are averaged.
+std::optional<int> BaseboardThatStandsOut(const std::vector<double>& scores) {
+  if (scores.size() < 3) return std::nullopt;
+  const size_t last = scores.size() - 1;
+  std::vector<double> smooth;
+  for (size_t i = 0; i <= last; ++i)
+    smooth.push_back((scores[i > 0 ? i - 1 : 0] + 2 * scores[i] + scores[std::min(i + 1, last)]) /
+                     4);
+  std::vector<double> gain;
+  for (size_t i = 0; i <= last; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(last);
+    gain.push_back(smooth[i] - (1 - share) * smooth.front() - share * smooth.back());
+  }
+  const size_t best = ArgMax(gain);
+  if (gain[best] <= kMinBaseboardGain * smooth[best]) return std::nullopt;
+  return kLowestBaseboard + static_cast<int>(best);
 }
 
 // Ceiling heights above the floor that are tried.
@@ -219,33 +256,44 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
   const double reach = 3 * options.camera_prior_sigma_m;
   const double low = prior_camera_m > 0 ? prior_camera_m - reach : options.min_camera_m;
   const double high = prior_camera_m > 0 ? prior_camera_m + reach : options.max_camera_m;
-  std::vector<double> floors;
-  for (double h = low; h <= high + 1e-9; h += options.step_m) floors.push_back(median_z - h);
-  const std::vector<double> scores =
-      ScoreFloors(views, floors, {}, prior_camera_m, bins, viterbi, options, context);
+  const auto score = [&](const std::vector<double>& floors, const Baseboard& baseboard) {
+    return ScoreFloors(views, floors, baseboard, prior_camera_m, bins, viterbi, options, context);
+  };
+  const std::vector<double> floors = FloorsBelow(median_z, low, high, options.step_m);
+  const std::vector<double> scores = score(floors, {});
   FloorEstimate estimate{PeakPosition(scores, floors), {}, scores[ArgMax(scores)] - Median(scores)};
 
-  const SecondLine second =
-      FindSecondLine(views, estimate.floor_z, bins, viterbi, options, context);
-  const bool is_below = second.height_m < 0;
-  Baseboard& baseboard = estimate.baseboard;
-  // Where the upper edge won both must count, or the floor line would hardly do; a joint between
-  // tiles has no second line.
-  baseboard = {std::abs(second.height_m), is_below ? 0.5 : second.share};
-  // The stronger line won the search. When that is the upper one, a floor that was found from the
-  // pictures lies lower. One that was known does not: then the walls were too far, and the lower
-  // line seemed to lie deeper than it does.
-  if (is_below && prior_camera_m <= 0) estimate.floor_z += second.height_m;
-  if (is_below && prior_camera_m > 0) baseboard.height_m /= 1 - second.height_m / prior_camera_m;
-
-  // Once both lines are known, their height where they agree best with the correlation.
-  floors.clear();
-  for (double offset = -kRefineReach_m; offset <= kRefineReach_m + 1e-9; offset += kRefineStep_m) {
-    floors.push_back(estimate.floor_z + offset);
+  // The line that was found may be either edge of a baseboard: the floor is at it or below.
+  const double found_m = median_z - estimate.floor_z;
+  const int tallest = static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m));
+  std::vector<double> pair_scores, pair_floors;
+  for (int b = kLowestBaseboard; b <= tallest; ++b) {
+    const double height_m = b * kBaseboardStep_m;
+    const std::vector<double> tried = FloorsBelow(median_z, found_m - kBaseboardSlack_m,
+                                                  found_m + height_m + kBaseboardSlack_m, 0.02);
+    const std::vector<double> tried_scores = score(tried, {height_m, 0.5});
+    pair_scores.push_back(tried_scores[ArgMax(tried_scores)]);
+    pair_floors.push_back(tried[ArgMax(tried_scores)]);
   }
-  const std::vector<double> refined = ScoreFloors(views, floors, estimate.baseboard, prior_camera_m,
-                                                  bins, viterbi, options, context);
-  estimate.floor_z = PeakPosition(refined, floors);
+  const std::vector<double> response =
+      ResponseAboutLine(views, estimate.floor_z, tallest, bins, viterbi, context);
+  std::optional<int> steps = BaseboardThatStandsOut(pair_scores);
+  if (!steps) steps = ShoulderOfLine(response);
+  if (steps) {
+    Baseboard& baseboard = estimate.baseboard;
+    baseboard.height_m = *steps * kBaseboardStep_m;
+    estimate.floor_z = pair_floors[static_cast<size_t>(*steps - kLowestBaseboard)];
+    // Where the upper edge is the stronger one both count alike, or the floor line would hardly do.
+    const bool is_upper = found_m + 0.5 * baseboard.height_m < median_z - estimate.floor_z;
+    const double lower = response[static_cast<size_t>(tallest)],
+                 upper = response[static_cast<size_t>(tallest + *steps)];
+    baseboard.share = is_upper ? 0.5 : std::min(0.5, upper / (lower + upper));
+  }
+
+  const double near_m = median_z - estimate.floor_z;
+  const std::vector<double> refined =
+      FloorsBelow(median_z, near_m - kRefineReach_m, near_m + kRefineReach_m, kRefineStep_m);
+  estimate.floor_z = PeakPosition(score(refined, estimate.baseboard), refined);
   return estimate;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "tests/structure/box_room.h"
@@ -71,8 +72,8 @@ TEST(EstimateFloor, WithoutBaseboardASingleLineIsFound) {
   EXPECT_EQ(floor.baseboard.height_m, 0);
 }
 
-// The lower line is all but lost in the shadow of the baseboard: the floor is still below it.
-TEST(EstimateFloor, TheUpperEdgeOfABaseboardIsNoFloor) {
+// Views of two lines of given strengths, in 255ths: the floor's and, 8 cm above, the baseboard's.
+std::vector<PerfectView> ViewsOfTwoLines(int lower_strength, int upper_strength) {
   const BoxRoom room = RoomWith(0.1, 2.6, 0.08);
   std::vector<PerfectView> views = {PerfectView(room, {1.2, 1.1, 1.5}),
                                     PerfectView(room, {2.9, 1.9, 1.5})};
@@ -82,11 +83,29 @@ TEST(EstimateFloor, TheUpperEdgeOfABaseboardIsNoFloor) {
     for (const size_t f : {0, 1}) {
       for (size_t i = 0; i < lower.family[f].data().size(); ++i) {
         view.response.family[f].data()[i] =
-            std::max<uint8_t>(lower.family[f].data()[i] / 5, upper.family[f].data()[i]);
+            static_cast<uint8_t>(std::max(lower.family[f].data()[i] * lower_strength / 255,
+                                          upper.family[f].data()[i] * upper_strength / 255));
       }
     }
   }
-  EXPECT_NEAR(Floor(views).floor_z, 0.1, 0.025);
+  return views;
+}
+
+// Also where the lower line is all but lost in the shadow of the baseboard.
+TEST(EstimateFloor, WhicheverEdgeOfABaseboardIsClearerTheFloorIsTheLower) {
+  for (const auto& [lower, upper] : {std::pair{51, 255}, {127, 255}, {255, 255}, {255, 127}}) {
+    const FloorEstimate floor = Floor(ViewsOfTwoLines(lower, upper));
+    EXPECT_NEAR(floor.floor_z, 0.1, 0.025) << lower << " and " << upper;
+    EXPECT_NEAR(floor.baseboard.height_m, 0.08, 0.025) << lower << " and " << upper;
+    EXPECT_LE(floor.baseboard.share, 0.5);
+  }
+}
+
+// The upper edge misleads a search that knows how high the camera is, too: to walls too far away.
+TEST(EstimateFloor, AKnownCameraKeepsItsHeightOverABaseboard) {
+  const FloorEstimate floor = Floor(ViewsOfTwoLines(51, 255), 1.4);
+  EXPECT_NEAR(floor.floor_z, 0.1, 0.02);
+  EXPECT_NEAR(floor.baseboard.height_m, 0.08, 0.025);
 }
 
 TEST(EstimateFloor, APriorDecidesWhatOneBlankRoomCannot) {

@@ -22,7 +22,7 @@ struct HeightOptions {
   double min_room_m = 2.15;
   double max_room_m = 4.2;
   double step_m = 0.02;
-  double max_baseboard_m = 0.16;
+  double max_baseboard_m = 0.14;
   double typical_room_m = 2.5;
   double typical_room_sigma_m = 0.2;
   double home_weight = 0.5;
