@@ -283,11 +283,12 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
     Baseboard& baseboard = estimate.baseboard;
     baseboard.height_m = *steps * kBaseboardStep_m;
     estimate.floor_z = pair_floors[static_cast<size_t>(*steps - kLowestBaseboard)];
-    // Where the upper edge is the stronger one both count alike, or the floor line would hardly do.
-    const bool is_upper = found_m + 0.5 * baseboard.height_m < median_z - estimate.floor_z;
-    const double lower = response[static_cast<size_t>(tallest)],
-                 upper = response[static_cast<size_t>(tallest + *steps)];
-    baseboard.share = is_upper ? 0.5 : std::min(0.5, upper / (lower + upper));
+    // Walls run along the edge that has the other one on the side where more shows. Where that is
+    // the upper edge both count alike, or the floor line would hardly do.
+    const auto shown = [&](int step) { return response[static_cast<size_t>(tallest + step)]; };
+    baseboard.share = shown(-*steps) > shown(*steps)
+                          ? 0.5
+                          : std::min(0.5, shown(*steps) / (shown(0) + shown(*steps)));
   }
 
   const double near_m = median_z - estimate.floor_z;

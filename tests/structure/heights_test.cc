@@ -106,6 +106,7 @@ TEST(EstimateFloor, AKnownCameraKeepsItsHeightOverABaseboard) {
   const FloorEstimate floor = Floor(ViewsOfTwoLines(51, 255), 1.4);
   EXPECT_NEAR(floor.floor_z, 0.1, 0.02);
   EXPECT_NEAR(floor.baseboard.height_m, 0.08, 0.025);
+  EXPECT_EQ(floor.baseboard.share, 0.5);  // or the walls would stay there
 }
 
 TEST(EstimateFloor, APriorDecidesWhatOneBlankRoomCannot) {
