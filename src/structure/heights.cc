@@ -31,6 +31,7 @@ constexpr double kBaseboardStep_m = 0.01;
 constexpr int kLowestBaseboard = 5;
 // So far beyond the line that was found, and the line below it, the floor is sought again.
 constexpr double kBaseboardSlack_m = 0.02;
+constexpr double kBaseboardFloorStep_m = 0.02;
 // What a baseboard must gain, as a share of the score.
 constexpr double kMinBaseboardGain = 0.01;
 // Only near walls resolve the two lines.
@@ -122,85 +123,6 @@ double PeakPosition(const std::vector<double>& curve, const std::vector<double>&
          (x[i + 1] - x[i]) * std::clamp(0.5 * (curve[i - 1] - curve[i + 1]) / curvature, -0.5, 0.5);
 }
 
-// The score of each floor height, with the log prior on the camera height.
-std::vector<double> ScoreFloors(std::span<const HeightView> views,
-                                const std::vector<double>& floors, const Baseboard& baseboard,
-                                double prior_camera_m, const DistanceBins& bins,
-                                const PlaneViterbiOptions& viterbi, const HeightOptions& options,
-                                RunContext& context) {
-  std::vector<Eigen::Vector2d> positions;
-  for (const HeightView& view : views) positions.push_back(view.position.head<2>());
-  std::vector<std::vector<int>> others;
-  for (size_t v = 0; v < views.size(); ++v) others.push_back(NearestOthers(positions, v));
-  const double median_z = MedianCameraZ(views);
-  std::vector<double> scores(floors.size());
-  ParallelFor(context, "floor height", static_cast<int64_t>(floors.size()), [&](int64_t i) {
-    const size_t h = static_cast<size_t>(i);
-    scores[h] = FloorScore(views, others, floors[h], baseboard, bins, viterbi);
-    const double camera_m = median_z - floors[h];
-    scores[h] -=
-        prior_camera_m > 0
-            ? PriorLoss(camera_m, prior_camera_m, options.camera_prior_sigma_m)
-            : PriorLoss(camera_m, options.typical_camera_m, options.typical_camera_sigma_m);
-  });
-  return scores;
-}
-
-// Floors below a camera at `median_z`, from `low` to `high` metres.
-std::vector<double> FloorsBelow(double median_z, double low, double high, double step) {
-  std::vector<double> floors;
-  for (double h = low; h <= high + 1e-9; h += step) floors.push_back(median_z - h);
-  return floors;
-}
-
-// Mean response along the near walls that a single floor line finds, by steps of height about that
-// line: `reach` steps below it, itself, `reach` above. Each column is aligned at its own strongest
-// response, as a wall is found but to a few centimetres.
-std::vector<double> ResponseAboutLine(std::span<const HeightView> views, double floor_z, int reach,
-                                      const DistanceBins& bins, const PlaneViterbiOptions& viterbi,
-                                      RunContext& context) {
-  struct Sum {
-    std::vector<double> response;
-    int count = 0;
-  };
-  const int length = 2 * reach + 1;
-  std::vector<Sum> sums(views.size(), {std::vector<double>(static_cast<size_t>(length)), 0});
-  ParallelFor(context, "baseboard", static_cast<int64_t>(views.size()), [&](int64_t i) {
-    const HeightView& view = views[static_cast<size_t>(i)];
-    ColumnScores scores = FloorLineScores(view, floor_z, {}, bins);
-    AddScores(*view.correlation, 1.0, scores);
-    const WallPath path = BestPath(scores, bins, viterbi);
-    std::vector<ColumnScores> lines;
-    for (int k = -reach - kAlignSteps; k <= reach + kAlignSteps; ++k) {
-      const double floor_m = view.position.z() - floor_z;
-      lines.push_back(ScoreLine(*view.response, floor_m - k * kBaseboardStep_m, bins));
-    }
-    Sum& sum = sums[static_cast<size_t>(i)];
-    for (size_t c = 0; c < path.wall_m.size(); ++c) {
-      if (path.wall_m[c] > kBaseboardReach_m) continue;
-      const int bin =
-          std::clamp(static_cast<int>(std::lround(bins.Bin(path.wall_m[c]))), 0, bins.count - 1);
-      std::vector<double> response;
-      for (const ColumnScores& line : lines) {
-        response.push_back(
-            line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin));
-      }
-      const auto first = response.begin() + reach;
-      const auto peak = std::max_element(first, first + 2 * kAlignSteps + 1);
-      if (*peak < kMinLineResponse) continue;
-      for (int k = 0; k < length; ++k) sum.response[static_cast<size_t>(k)] += *(peak - reach + k);
-      ++sum.count;
-    }
-  });
-  Sum total = sums.front();
-  for (size_t i = 1; i < sums.size(); ++i) {
-    for (size_t k = 0; k < total.response.size(); ++k) total.response[k] += sums[i].response[k];
-    total.count += sums[i].count;
-  }
-  for (double& value : total.response) value /= std::max(1, total.count);
-  return total.response;
-}
-
 // Where pictures do not part the two lines the second one is a shoulder of the first one's lobe: a
 // line alone is as broad above as below. The number of steps to the second line, if there is one.
 std::optional<int> ShoulderOfLine(const std::vector<double>& response) {
@@ -238,6 +160,158 @@ std::optional<int> BaseboardThatStandsOut(const std::vector<double>& scores) {
   return kLowestBaseboard + static_cast<int>(best);
 }
 
+class FloorSearch {
+ public:
+  FloorSearch(std::span<const HeightView> views, double prior_camera_m, const DistanceBins& bins,
+              const PlaneViterbiOptions& viterbi, const HeightOptions& options, RunContext& context)
+      : views_(views),
+        prior_camera_m_(prior_camera_m),
+        bins_(bins),
+        viterbi_(viterbi),
+        options_(options),
+        context_(context),
+        median_z_(MedianCameraZ(views)),
+        tallest_(static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m))) {
+    std::vector<Eigen::Vector2d> positions;
+    for (const HeightView& view : views) positions.push_back(view.position.head<2>());
+    for (size_t v = 0; v < views.size(); ++v) others_.push_back(NearestOthers(positions, v));
+  }
+
+  FloorEstimate Run() {
+    FindLine();
+    FindBaseboard();
+    Refine();
+    return estimate_;
+  }
+
+ private:
+  void FindLine() {
+    const double reach = 3 * options_.camera_prior_sigma_m;
+    const double low = prior_camera_m_ > 0 ? prior_camera_m_ - reach : options_.min_camera_m;
+    const double high = prior_camera_m_ > 0 ? prior_camera_m_ + reach : options_.max_camera_m;
+    const std::vector<double> floors = FloorsBelow(low, high, options_.step_m);
+    const std::vector<double> scores = Score(floors, {});
+    estimate_.floor_z = PeakPosition(scores, floors);
+    estimate_.contrast = scores[ArgMax(scores)] - Median(scores);
+  }
+
+  // The line that was found may be either edge of a baseboard: the floor is at it or below.
+  void FindBaseboard() {
+    const double found_m = median_z_ - estimate_.floor_z;
+    std::vector<double> pair_scores, pair_floors;
+    for (int b = kLowestBaseboard; b <= tallest_; ++b) {
+      const double height_m = b * kBaseboardStep_m;
+      const std::vector<double> floors =
+          FloorsBelow(found_m - kBaseboardSlack_m, found_m + height_m + kBaseboardSlack_m,
+                      kBaseboardFloorStep_m);
+      const std::vector<double> scores = Score(floors, {height_m, 0.5});
+      pair_scores.push_back(scores[ArgMax(scores)]);
+      pair_floors.push_back(floors[ArgMax(scores)]);
+    }
+    const std::vector<double> response = ResponseAboutLine();
+    std::optional<int> steps = BaseboardThatStandsOut(pair_scores);
+    if (!steps) steps = ShoulderOfLine(response);
+    if (!steps) return;
+    // Walls run along the edge that has the other one on the side where more shows. Where that is
+    // the upper edge both count alike, or the floor line would hardly do.
+    const auto shown = [&](int step) { return response[static_cast<size_t>(tallest_ + step)]; };
+    const double share = shown(-*steps) > shown(*steps)
+                             ? 0.5
+                             : std::min(0.5, shown(*steps) / (shown(0) + shown(*steps)));
+    estimate_.baseboard = {*steps * kBaseboardStep_m, share};
+    estimate_.floor_z = pair_floors[static_cast<size_t>(*steps - kLowestBaseboard)];
+  }
+
+  void Refine() {
+    const double camera_m = median_z_ - estimate_.floor_z;
+    const std::vector<double> floors =
+        FloorsBelow(camera_m - kRefineReach_m, camera_m + kRefineReach_m, kRefineStep_m);
+    estimate_.floor_z = PeakPosition(Score(floors, estimate_.baseboard), floors);
+  }
+
+  // Floors from `low` to `high` metres below the median camera.
+  [[nodiscard]] std::vector<double> FloorsBelow(double low, double high, double step) const {
+    std::vector<double> floors;
+    for (double h = low; h <= high + 1e-9; h += step) floors.push_back(median_z_ - h);
+    return floors;
+  }
+
+  // The score of each floor height, with the log prior on the camera height.
+  [[nodiscard]] std::vector<double> Score(const std::vector<double>& floors,
+                                          const Baseboard& baseboard) const {
+    std::vector<double> scores(floors.size());
+    ParallelFor(context_, "floor height", static_cast<int64_t>(floors.size()), [&](int64_t i) {
+      const size_t h = static_cast<size_t>(i);
+      const double camera_m = median_z_ - floors[h];
+      const double loss =
+          prior_camera_m_ > 0
+              ? PriorLoss(camera_m, prior_camera_m_, options_.camera_prior_sigma_m)
+              : PriorLoss(camera_m, options_.typical_camera_m, options_.typical_camera_sigma_m);
+      scores[h] = FloorScore(views_, others_, floors[h], baseboard, bins_, viterbi_) - loss;
+    });
+    return scores;
+  }
+
+  // Mean response along the near walls that a single floor line finds, by steps of height about
+  // that line: tallest_ steps below it, itself, tallest_ above. Each column is aligned at its own
+  // strongest response, as a wall is found but to a few centimetres.
+  [[nodiscard]] std::vector<double> ResponseAboutLine() const {
+    const int reach = tallest_;
+    struct Sum {
+      std::vector<double> response;
+      int count = 0;
+    };
+    const int length = 2 * reach + 1;
+    std::vector<Sum> sums(views_.size(), {std::vector<double>(static_cast<size_t>(length)), 0});
+    ParallelFor(context_, "baseboard", static_cast<int64_t>(views_.size()), [&](int64_t i) {
+      const HeightView& view = views_[static_cast<size_t>(i)];
+      ColumnScores scores = FloorLineScores(view, estimate_.floor_z, {}, bins_);
+      AddScores(*view.correlation, 1.0, scores);
+      const WallPath path = BestPath(scores, bins_, viterbi_);
+      std::vector<ColumnScores> lines;
+      for (int k = -reach - kAlignSteps; k <= reach + kAlignSteps; ++k) {
+        const double floor_m = view.position.z() - estimate_.floor_z;
+        lines.push_back(ScoreLine(*view.response, floor_m - k * kBaseboardStep_m, bins_));
+      }
+      Sum& sum = sums[static_cast<size_t>(i)];
+      for (size_t c = 0; c < path.wall_m.size(); ++c) {
+        if (path.wall_m[c] > kBaseboardReach_m) continue;
+        const int bin = std::clamp(static_cast<int>(std::lround(bins_.Bin(path.wall_m[c]))), 0,
+                                   bins_.count - 1);
+        std::vector<double> response;
+        for (const ColumnScores& line : lines) {
+          response.push_back(
+              line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin));
+        }
+        const auto first = response.begin() + reach;
+        const auto peak = std::max_element(first, first + 2 * kAlignSteps + 1);
+        if (*peak < kMinLineResponse) continue;
+        for (int k = 0; k < length; ++k)
+          sum.response[static_cast<size_t>(k)] += *(peak - reach + k);
+        ++sum.count;
+      }
+    });
+    Sum total = sums.front();
+    for (size_t i = 1; i < sums.size(); ++i) {
+      for (size_t k = 0; k < total.response.size(); ++k) total.response[k] += sums[i].response[k];
+      total.count += sums[i].count;
+    }
+    for (double& value : total.response) value /= std::max(1, total.count);
+    return total.response;
+  }
+
+  std::span<const HeightView> views_;
+  double prior_camera_m_;
+  const DistanceBins& bins_;
+  const PlaneViterbiOptions& viterbi_;
+  const HeightOptions& options_;
+  RunContext& context_;
+  double median_z_;
+  int tallest_;  // baseboard, in steps
+  std::vector<std::vector<int>> others_;
+  FloorEstimate estimate_;
+};
+
 // Ceiling heights above the floor that are tried.
 std::vector<double> CeilingCandidates(const HeightOptions& options) {
   std::vector<double> heights;
@@ -252,50 +326,7 @@ FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_came
                             const DistanceBins& bins, const PlaneViterbiOptions& viterbi,
                             const HeightOptions& options, RunContext& context) {
   ENFILADE_CHECK(!views.empty());
-  const double median_z = MedianCameraZ(views);
-  const double reach = 3 * options.camera_prior_sigma_m;
-  const double low = prior_camera_m > 0 ? prior_camera_m - reach : options.min_camera_m;
-  const double high = prior_camera_m > 0 ? prior_camera_m + reach : options.max_camera_m;
-  const auto score = [&](const std::vector<double>& floors, const Baseboard& baseboard) {
-    return ScoreFloors(views, floors, baseboard, prior_camera_m, bins, viterbi, options, context);
-  };
-  const std::vector<double> floors = FloorsBelow(median_z, low, high, options.step_m);
-  const std::vector<double> scores = score(floors, {});
-  FloorEstimate estimate{PeakPosition(scores, floors), {}, scores[ArgMax(scores)] - Median(scores)};
-
-  // The line that was found may be either edge of a baseboard: the floor is at it or below.
-  const double found_m = median_z - estimate.floor_z;
-  const int tallest = static_cast<int>(std::lround(options.max_baseboard_m / kBaseboardStep_m));
-  std::vector<double> pair_scores, pair_floors;
-  for (int b = kLowestBaseboard; b <= tallest; ++b) {
-    const double height_m = b * kBaseboardStep_m;
-    const std::vector<double> tried = FloorsBelow(median_z, found_m - kBaseboardSlack_m,
-                                                  found_m + height_m + kBaseboardSlack_m, 0.02);
-    const std::vector<double> tried_scores = score(tried, {height_m, 0.5});
-    pair_scores.push_back(tried_scores[ArgMax(tried_scores)]);
-    pair_floors.push_back(tried[ArgMax(tried_scores)]);
-  }
-  const std::vector<double> response =
-      ResponseAboutLine(views, estimate.floor_z, tallest, bins, viterbi, context);
-  std::optional<int> steps = BaseboardThatStandsOut(pair_scores);
-  if (!steps) steps = ShoulderOfLine(response);
-  if (steps) {
-    Baseboard& baseboard = estimate.baseboard;
-    baseboard.height_m = *steps * kBaseboardStep_m;
-    estimate.floor_z = pair_floors[static_cast<size_t>(*steps - kLowestBaseboard)];
-    // Walls run along the edge that has the other one on the side where more shows. Where that is
-    // the upper edge both count alike, or the floor line would hardly do.
-    const auto shown = [&](int step) { return response[static_cast<size_t>(tallest + step)]; };
-    baseboard.share = shown(-*steps) > shown(*steps)
-                          ? 0.5
-                          : std::min(0.5, shown(*steps) / (shown(0) + shown(*steps)));
-  }
-
-  const double near_m = median_z - estimate.floor_z;
-  const std::vector<double> refined =
-      FloorsBelow(median_z, near_m - kRefineReach_m, near_m + kRefineReach_m, kRefineStep_m);
-  estimate.floor_z = PeakPosition(score(refined, estimate.baseboard), refined);
-  return estimate;
+  return FloorSearch(views, prior_camera_m, bins, viterbi, options, context).Run();
 }
 
 std::vector<CeilingEstimate> EstimateCeilings(std::span<const HeightView> views,

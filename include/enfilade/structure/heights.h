@@ -68,8 +68,10 @@ struct FloorEstimate {
 
 /// The floor of one storey, common to its panoramas: the height at which floor lines, correlation
 /// and the panoramas among each other agree best, summed over the best wall paths of all of them: a
-/// wrong height moves every wall away from its own camera. `prior_camera_m` 0 means unknown: then
-/// the usual height counts, a little, and decides where one panorama alone has no scale.
+/// wrong height moves every wall away from its own camera. The line that wins may be either edge of
+/// a baseboard: where there is one, its height and the floor's are sought together.
+/// `prior_camera_m` 0 means unknown: then the usual height counts, a little, and decides where one
+/// panorama alone has no scale.
 [[nodiscard]] FloorEstimate EstimateFloor(std::span<const HeightView> views, double prior_camera_m,
                                           const DistanceBins& bins,
                                           const PlaneViterbiOptions& viterbi,
