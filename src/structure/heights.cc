@@ -212,8 +212,8 @@ class FloorSearch {
     std::optional<int> steps = BaseboardThatStandsOut(pair_scores);
     if (!steps) steps = ShoulderOfLine(response);
     if (!steps) return;
-    // Walls run along the edge that has the other one on the side where more shows. Where that is
-    // the upper edge both count alike, or the floor line would hardly do.
+    // More shows below the line that was found when it is the upper edge: then both count alike, or
+    // the floor line would hardly do.
     const auto shown = [&](int step) { return response[static_cast<size_t>(tallest_ + step)]; };
     const double share = shown(-*steps) > shown(*steps)
                              ? 0.5
