@@ -413,8 +413,7 @@ class StoreySolver {
       const ImageF& score = floor.family[static_cast<size_t>(work.path.family[c])];
       const int column = static_cast<int>(c);
       const double wall_m = work.path.wall_m[c];
-      const int wall_bin =
-          std::clamp(static_cast<int>(std::lround(bins_.Bin(wall_m))), 0, bins_.count - 1);
+      const int wall_bin = bins_.NearestBin(wall_m);
       float best = score(column, wall_bin) + static_cast<float>(options_.obstacle.cost);
       for (int b = 0; b < wall_bin; ++b) {
         const double gap = wall_m - bins_.Distance(b);

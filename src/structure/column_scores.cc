@@ -102,6 +102,20 @@ std::vector<float> CrossingLines(const ColumnScores& floor, int family, int colu
   return crossing;
 }
 
+// Scores of the same shape; fill(family, column, row) writes one row of them.
+template <typename Fill>
+ColumnScores MapColumns(const ColumnScores& scores, const Fill& fill) {
+  ColumnScores mapped;
+  for (int f = 0; f < kNumFamilies; ++f) {
+    const ImageF& from = scores.family[static_cast<size_t>(f)];
+    if (from.empty()) continue;
+    ImageF& to = mapped.family[static_cast<size_t>(f)];
+    to = ImageF(from.rows(), from.cols());
+    for (int c = 0; c < from.rows(); ++c) fill(f, c, to.row(c));
+  }
+  return mapped;
+}
+
 }  // namespace
 
 std::vector<double> DistanceBins::Centers() const {
@@ -139,45 +153,31 @@ ColumnScores ScoreFloor(const LineResponse& response, double floor_m, const Base
 
 ColumnScores WidenScores(const ColumnScores& scores, int reach) {
   if (reach <= 0) return scores;
-  ColumnScores wide;
-  for (int f = 0; f < kNumFamilies; ++f) {
+  return MapColumns(scores, [&](int f, int c, float* to) {
     const ImageF& from = scores.family[static_cast<size_t>(f)];
-    if (from.empty()) continue;
-    ImageF to(from.rows(), from.cols());
-    for (int c = 0; c < from.rows(); ++c) {
-      for (int b = 0; b < from.cols(); ++b) {
-        const float* row = from.row(c);
-        to(c, b) = *std::max_element(row + std::max(0, b - reach),
-                                     row + std::min(from.cols(), b + reach + 1));
-      }
+    const float* row = from.row(c);
+    for (int b = 0; b < from.cols(); ++b) {
+      to[b] = *std::max_element(row + std::max(0, b - reach),
+                                row + std::min(from.cols(), b + reach + 1));
     }
-    wide.family[static_cast<size_t>(f)] = std::move(to);
-  }
-  return wide;
+  });
 }
 
 ColumnScores StopFloorLines(const ColumnScores& floor, double floor_m, const DistanceBins& bins,
                             const FloorEndOptions& options) {
   const std::vector<BinRange> behind = BinsBehind(bins, options.reach_m);
   const std::vector<Elevation> elevations = ElevationsOfFloor(floor_m, bins);
-  ColumnScores stopped;
-  for (int f = 0; f < kNumFamilies; ++f) {
-    const ImageF& own = floor.family[static_cast<size_t>(f)];
-    if (own.empty()) continue;
-    ImageF score(own.rows(), own.cols());
-    for (int c = 0; c < own.rows(); ++c) {
-      const std::vector<float> crossing = CrossingLines(floor, f, c, elevations);
-      for (int b = 0; b < bins.count; ++b) {
-        float strongest = 0;
-        for (int i = behind[static_cast<size_t>(b)].first; i <= behind[static_cast<size_t>(b)].last;
-             ++i)
-          strongest = std::max(strongest, crossing[static_cast<size_t>(i)]);
-        score(c, b) = own(c, b) * (1 - static_cast<float>(options.weight) * strongest);
-      }
+  return MapColumns(floor, [&](int f, int c, float* to) {
+    const float* own = floor.family[static_cast<size_t>(f)].row(c);
+    const std::vector<float> crossing = CrossingLines(floor, f, c, elevations);
+    for (int b = 0; b < bins.count; ++b) {
+      float strongest = 0;
+      for (int i = behind[static_cast<size_t>(b)].first; i <= behind[static_cast<size_t>(b)].last;
+           ++i)
+        strongest = std::max(strongest, crossing[static_cast<size_t>(i)]);
+      to[b] = own[b] * (1 - static_cast<float>(options.weight) * strongest);
     }
-    stopped.family[static_cast<size_t>(f)] = std::move(score);
-  }
-  return stopped;
+  });
 }
 
 ColumnScores AllowObstacles(const ColumnScores& floor, const DistanceBins& bins,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/structure/shared_scores.h"
@@ -96,17 +97,16 @@ double PriorLoss(double height_m, double mean_m, double sigma_m) {
   return kPriorWeight * std::min(off * off, 100.0);
 }
 
-double MedianCameraZ(std::span<const HeightView> views) {
-  std::vector<double> z;
-  for (const HeightView& view : views) z.push_back(view.position.z());
-  std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2), z.end());
-  return z[z.size() / 2];
-}
-
 double Median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
                    values.end());
   return values[values.size() / 2];
+}
+
+double MedianCameraZ(std::span<const HeightView> views) {
+  std::vector<double> z;
+  for (const HeightView& view : views) z.push_back(view.position.z());
+  return Median(std::move(z));
 }
 
 size_t ArgMax(const std::vector<double>& values) {
@@ -215,7 +215,7 @@ class FloorSearch {
     // More shows below the line that was found when it is the upper edge: then both count alike, or
     // the floor line would hardly do.
     const auto shown = [&](int step) { return response[static_cast<size_t>(tallest_ + step)]; };
-    const double share = shown(-*steps) > shown(*steps)
+    const double share = shown(-*steps) >= shown(*steps)
                              ? 0.5
                              : std::min(0.5, shown(*steps) / (shown(0) + shown(*steps)));
     estimate_.baseboard = {*steps * kBaseboardStep_m, share};
@@ -256,12 +256,11 @@ class FloorSearch {
   // that line: tallest_ steps below it, itself, tallest_ above. Each column is aligned at its own
   // strongest response, as a wall is found but to a few centimetres.
   [[nodiscard]] std::vector<double> ResponseAboutLine() const {
-    const int reach = tallest_;
     struct Sum {
       std::vector<double> response;
       int count = 0;
     };
-    const int length = 2 * reach + 1;
+    const int length = 2 * tallest_ + 1;
     std::vector<Sum> sums(views_.size(), {std::vector<double>(static_cast<size_t>(length)), 0});
     ParallelFor(context_, "baseboard", static_cast<int64_t>(views_.size()), [&](int64_t i) {
       const HeightView& view = views_[static_cast<size_t>(i)];
@@ -269,25 +268,24 @@ class FloorSearch {
       AddScores(*view.correlation, 1.0, scores);
       const WallPath path = BestPath(scores, bins_, viterbi_);
       std::vector<ColumnScores> lines;
-      for (int k = -reach - kAlignSteps; k <= reach + kAlignSteps; ++k) {
+      for (int k = -tallest_ - kAlignSteps; k <= tallest_ + kAlignSteps; ++k) {
         const double floor_m = view.position.z() - estimate_.floor_z;
         lines.push_back(ScoreLine(*view.response, floor_m - k * kBaseboardStep_m, bins_));
       }
       Sum& sum = sums[static_cast<size_t>(i)];
       for (size_t c = 0; c < path.wall_m.size(); ++c) {
         if (path.wall_m[c] > kBaseboardReach_m) continue;
-        const int bin = std::clamp(static_cast<int>(std::lround(bins_.Bin(path.wall_m[c]))), 0,
-                                   bins_.count - 1);
+        const int bin = bins_.NearestBin(path.wall_m[c]);
         std::vector<double> response;
         for (const ColumnScores& line : lines) {
           response.push_back(
               line.family[static_cast<size_t>(path.family[c])](static_cast<int>(c), bin));
         }
-        const auto first = response.begin() + reach;
+        const auto first = response.begin() + tallest_;
         const auto peak = std::max_element(first, first + 2 * kAlignSteps + 1);
         if (*peak < kMinLineResponse) continue;
         for (int k = 0; k < length; ++k)
-          sum.response[static_cast<size_t>(k)] += *(peak - reach + k);
+          sum.response[static_cast<size_t>(k)] += *(peak - tallest_ + k);
         ++sum.count;
       }
     });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -22,6 +23,10 @@ struct DistanceBins {
   /// Continuous bin of a distance; may lie outside [0, count).
   [[nodiscard]] double Bin(double distance_m) const {
     return std::log(distance_m / min_m) / log_step;
+  }
+  /// The bin of a distance, the first or last one beyond their ends.
+  [[nodiscard]] int NearestBin(double distance_m) const {
+    return std::clamp(static_cast<int>(std::lround(Bin(distance_m))), 0, count - 1);
   }
   [[nodiscard]] std::vector<double> Centers() const;
 };
