@@ -106,8 +106,8 @@ bool MoveEdge(Polygon2& polygon, size_t ring_idx, size_t i, const Vector2d& shif
   return false;
 }
 
-/// Puts the two walls beside the jog i on the line of the longer one; the jog vanishes.
-bool StraightenJog(Polygon2& polygon, size_t ring_idx, size_t i) {
+/// Puts the two walls beside the jog i on the line of the one that weighs more; the jog vanishes.
+bool StraightenJog(const WallWeight& weight, Polygon2& polygon, size_t ring_idx, size_t i) {
   Ring2& ring = RingOf(polygon, ring_idx);
   const Ring2 old = ring;
   const size_t n = ring.size(), j = (i + 1) % n;
@@ -116,7 +116,7 @@ bool StraightenJog(Polygon2& polygon, size_t ring_idx, size_t i) {
   const size_t before = (i + n - 1) % n, after = (j + 1) % n;
   const Vector2d in = ring[i] - ring[before], out = ring[after] - ring[j];
   if (in.dot(out) <= 0) return false;  // the end of a thin wall or a niche
-  if (in.norm() >= out.norm()) {
+  if (weight(ring[before], ring[i]) >= weight(ring[j], ring[after])) {
     ring[after] -= jog;
   } else {
     ring[before] += jog;
@@ -128,17 +128,19 @@ bool StraightenJog(Polygon2& polygon, size_t ring_idx, size_t i) {
   return false;
 }
 
-void StraightenJogs(double min_jog_m, Polygon2& polygon) {
+}  // namespace
+
+double LengthOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return (b - a).norm(); }
+
+void StraightenJogs(double min_jog_m, const WallWeight& weight, Polygon2& polygon) {
   for (size_t r = 0; r <= polygon.holes.size(); ++r) {
     for (size_t i = 0; i < RingOf(polygon, r).size();) {
       const Ring2& ring = RingOf(polygon, r);
       const bool is_jog = (ring[(i + 1) % ring.size()] - ring[i]).norm() < min_jog_m;
-      i = is_jog && StraightenJog(polygon, r, i) ? 0 : i + 1;
+      i = is_jog && StraightenJog(weight, polygon, r, i) ? 0 : i + 1;
     }
   }
 }
-
-}  // namespace
 
 int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
                     std::vector<Polygon2>& polygons) {
@@ -152,7 +154,7 @@ int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
     if (edge.shift)
       num_moved += MoveEdge(polygons[edge.polygon], edge.ring, edge.index, *edge.shift);
   }
-  for (Polygon2& polygon : polygons) StraightenJogs(min_jog_m, polygon);
+  for (Polygon2& polygon : polygons) StraightenJogs(min_jog_m, LengthOf, polygon);
   return num_moved;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "enfilade/geometry/polygon2.h"
@@ -15,5 +17,13 @@ namespace enfilade {
 /// shorter than min_jog_m are straightened. Returns the number of edges moved.
 int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
                     std::vector<Polygon2>& polygons);
+
+/// How surely a wall from a to b lies where it does.
+using WallWeight = std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b)>;
+[[nodiscard]] double LengthOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
+/// Where a jog shorter than min_jog_m parts two walls, puts both on the line of the one that weighs
+/// more; not if that would break the polygon.
+void StraightenJogs(double min_jog_m, const WallWeight& weight, Polygon2& polygon);
 
 }  // namespace enfilade

@@ -15,6 +15,7 @@
 #include "src/floorplan/outline.h"
 #include "src/floorplan/rooms.h"
 #include "src/floorplan/slide.h"
+#include "src/floorplan/unseen_space.h"
 
 namespace enfilade {
 namespace {
@@ -108,13 +109,24 @@ class Solver {
     const LoopField field = MakeLoopField(evidence, options_);
     std::vector<Polygon2> polygons = DrawPolygons(field, cores);
     RemoveOverlaps(polygons);
+    std::erase_if(polygons,
+                  [&](const Polygon2& polygon) { return Area(polygon) < options_.min_room_m2; });
+    if (field.has_freeness) TakeIn(field, polygons);
     for (const Polygon2& polygon : polygons) {
-      if (Area(polygon) < options_.min_room_m2) continue;
       AddRoom(field, polygon, heights, samples, options_, storey);
     }
   }
 
  private:
+  void TakeIn(const LoopField& field, std::vector<Polygon2>& polygons) {
+    const double unseen_m2 = TakeInUnseenSpace(field, options_, polygons);
+    report_.unseen_m2 += unseen_m2;
+    if (unseen_m2 > 0) {
+      context_.log().Info(fmt::format(
+          "{:.1f} m² between rooms, which no picture shows, are in the plan", unseen_m2));
+    }
+  }
+
   std::vector<Polygon2> DrawPolygons(const LoopField& field, const std::vector<ImageU8>& cores) {
     const ImageI territories = AssignTerritories(field, cores);
     std::vector<Polygon2> polygons(cores.size());
@@ -191,6 +203,11 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
   v("min_jog_m", min_jog_m, "Shorter jogs between two walls are straightened.", {0, 1});
   v("min_room_m2", min_room_m2, "Smaller rooms are dropped.", {0, 100});
   v("wall_thickness_m", wall_thickness_m, "Assumed thickness of walls.", {0.01, 2});
+  v("unseen_gap_m", unseen_gap_m,
+    "Unseen space between walls of rooms up to this far apart lies in the home; 0: none does.",
+    {0, 5});
+  v("unseen_hole_m2", unseen_hole_m2,
+    "Unseen space up to this large lies in it if rooms surround it.", {0, 100});
 }
 
 std::span<const std::string_view> EnumNames(FloorplanOutcome) {

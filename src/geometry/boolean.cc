@@ -151,6 +151,16 @@ MultiPolygon2 Offset(const MultiPolygon2& region, double distance_m) {
       geos.Own(GEOSBuffer_r(geos.handle(), geometry.get(), distance_m, kQuadrantSegments)).get());
 }
 
+MultiPolygon2 OffsetSharp(const MultiPolygon2& region, double distance_m) {
+  constexpr double kLongestMitre = 5;  // times the distance; sharper corners are cut off
+  const Geos geos;
+  const Geos::Geometry geometry = geos.FromRegion(region);
+  return geos.ToRegion(
+      geos.Own(GEOSBufferWithStyle_r(geos.handle(), geometry.get(), distance_m, kQuadrantSegments,
+                                     GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kLongestMitre))
+          .get());
+}
+
 MultiPolygon2 CloseRegion(const MultiPolygon2& region, double radius_m, double max_hole_m2) {
   MultiPolygon2 closed = Offset(Offset(region, radius_m), -radius_m);
   for (Polygon2& polygon : closed) {

@@ -62,6 +62,12 @@ double SignedArea(const Ring2& ring) {
   return 0.5 * twice_area;
 }
 
+std::vector<Ring2> RingsOf(const Polygon2& polygon) {
+  std::vector<Ring2> rings = {polygon.outer};
+  rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+  return rings;
+}
+
 double Area(const Polygon2& polygon) {
   double area = std::abs(SignedArea(polygon.outer));
   for (const Ring2& hole : polygon.holes) area -= std::abs(SignedArea(hole));
@@ -103,6 +109,13 @@ double DistanceToSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b
   const double t =
       squared_length > 0 ? std::clamp((p - a).dot(ab) / squared_length, 0.0, 1.0) : 0.0;
   return (p - a - t * ab).norm();
+}
+
+double DistanceToRing(const Ring2& ring, const Vector2d& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < ring.size(); ++i)
+    nearest = std::min(nearest, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
+  return nearest;
 }
 
 double RayDistance(const Ring2& ring, const Vector2d& origin, const Vector2d& direction) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -19,22 +18,6 @@ namespace enfilade {
     bounds.max = bounds.max.cwiseMax(p);
   }
   return bounds;
-}
-
-/// Outer ring, then the holes.
-[[nodiscard]] inline std::vector<Ring2> RingsOf(const Polygon2& polygon) {
-  std::vector<Ring2> rings = {polygon.outer};
-  rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
-  return rings;
-}
-
-/// Distance from `p`, inside or outside, to the nearest edge of the ring.
-[[nodiscard]] inline double DistanceToRing(const Ring2& ring, const Eigen::Vector2d& p) {
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < ring.size(); ++i) {
-    nearest_m = std::min(nearest_m, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
-  }
-  return nearest_m;
 }
 
 /// Whether the insides of two convex rings meet; a ring of two points is a segment (separating

@@ -125,6 +125,24 @@ TEST(Offset, Squares) {
   ExpectConventions(Offset(square, 1));
 }
 
+TEST(OffsetSharp, KeepsRightAnglesAndClosesWhatIsNarrow) {
+  const MultiPolygon2 square = {{ParseRing("0,0 4,0 4,4 0,4"), {}}};
+  const MultiPolygon2 wide = OffsetSharp(square, 1);
+  EXPECT_NEAR(Area(wide), 36, 1e-12);
+  EXPECT_EQ(wide[0].outer.size(), 4u);
+  EXPECT_NEAR(Area(OffsetSharp(square, -1)), 4, 1e-12);
+  EXPECT_TRUE(OffsetSharp(square, -2.5).empty());
+  EXPECT_TRUE(OffsetSharp({}, 1).empty());
+  ExpectConventions(wide);
+  // A gap of 1 closes for good under 0.5, one of 2 does not.
+  for (const double gap : {1.0, 2.0}) {
+    const MultiPolygon2 two = {Polygon2{ParseRing("0,0 4,0 4,4 0,4"), {}},
+                               Polygon2{{{0, 4 + gap}, {4, 4 + gap}, {4, 9}, {0, 9}}, {}}};
+    const MultiPolygon2 closed = OffsetSharp(OffsetSharp(two, 0.51), -0.51);
+    EXPECT_NEAR(Area(closed), Area(two) + (gap < 1.5 ? 4 * gap : 0), 1e-9);
+  }
+}
+
 TEST(Offset, DiscsAndErrorOfTheArcs) {
   Ring2 disc;
   for (int i = 0; i < 256; ++i) {

@@ -107,6 +107,21 @@ TEST(Contains, SplitsTheAreaOfRandomRings) {
               4 * std::sqrt(share * (1 - share) / num_samples));
 }
 
+TEST(DistanceToRing, InsideAndOutside) {
+  const Ring2 square = ParseRing("0,0 4,0 4,4 0,4");
+  EXPECT_DOUBLE_EQ(DistanceToRing(square, {1, 2}), 1);
+  EXPECT_DOUBLE_EQ(DistanceToRing(square, {7, 8}), 5);
+  EXPECT_DOUBLE_EQ(DistanceToRing(square, {4, 2}), 0);
+}
+
+TEST(RingsOf, OuterRingThenHoles) {
+  const Polygon2 polygon{ParseRing("0,0 4,0 4,4 0,4"), {ParseRing("1,1 1,2 2,2 2,1")}};
+  const std::vector<Ring2> rings = RingsOf(polygon);
+  ASSERT_EQ(rings.size(), 2u);
+  EXPECT_EQ(rings[0], polygon.outer);
+  EXPECT_EQ(rings[1], polygon.holes[0]);
+}
+
 TEST(DistanceToSegment, BeforeAlongAndAfter) {
   EXPECT_DOUBLE_EQ(DistanceToSegment({-3, 4}, {0, 0}, {2, 0}), 5);
   EXPECT_DOUBLE_EQ(DistanceToSegment({1, -2}, {0, 0}, {2, 0}), 2);

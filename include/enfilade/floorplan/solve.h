@@ -40,6 +40,9 @@ struct FloorplanOptions {
   double min_room_m2 = 0.25;
   double wall_thickness_m = 0.12;
 
+  double unseen_gap_m = 1.6;
+  double unseen_hole_m2 = 4;
+
   void Visit(OptionVisitor& v);
 };
 
@@ -54,6 +57,7 @@ struct FloorplanReport {
   int num_inner_loops = 0;  ///< holes: pillars and free-standing walls
   int num_inner_walls = 0;  ///< walls that run into a room from its outline
   int num_slid_segments = 0;
+  double unseen_m2 = 0;     ///< space between rooms that was taken in though nobody saw it
   int64_t num_settled = 0;  ///< states that the loop solver visited
   Floorplan plan;           ///< empty storeys where nothing was found
 };

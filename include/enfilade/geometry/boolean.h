@@ -17,6 +17,10 @@ namespace enfilade {
 /// with 32 segments a quarter circle (error below 0.04 % of the distance).
 [[nodiscard]] MultiPolygon2 Offset(const MultiPolygon2& region, double distance_m);
 
+/// As Offset, but corners stay sharp: edges move along their normals. For regions with right angles
+/// this is the Minkowski sum with a square, or the erosion by it.
+[[nodiscard]] MultiPolygon2 OffsetSharp(const MultiPolygon2& region, double distance_m);
+
 /// Morphological closing with a disc, then holes smaller than `max_hole_m2` filled: the protocol's
 /// gross region.
 [[nodiscard]] MultiPolygon2 CloseRegion(const MultiPolygon2& region, double radius_m,

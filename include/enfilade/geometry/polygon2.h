@@ -21,6 +21,9 @@ struct Polygon2 {
 /// A region of several parts, disjoint but for shared points.
 using MultiPolygon2 = std::vector<Polygon2>;
 
+/// Outer ring, then the holes.
+[[nodiscard]] std::vector<Ring2> RingsOf(const Polygon2& polygon);
+
 /// Signed area, positive when counter-clockwise (shoelace formula).
 [[nodiscard]] double SignedArea(const Ring2& ring);
 /// Area of the outer ring less the holes.
@@ -35,6 +38,9 @@ using MultiPolygon2 = std::vector<Polygon2>;
 /// Distance from `p` to the segment ab.
 [[nodiscard]] double DistanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                                        const Eigen::Vector2d& b);
+
+/// Distance from `p`, inside or outside, to the nearest edge of the ring.
+[[nodiscard]] double DistanceToRing(const Ring2& ring, const Eigen::Vector2d& p);
 
 /// Distance along the unit `direction` from `origin` to the first crossing of the ring; infinity
 /// when there is none. From inside there is always one: a ray into a corner cannot slip between the
