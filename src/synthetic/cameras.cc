@@ -110,6 +110,13 @@ bool IsNextBefore(const RoomCameras& a, const RoomCameras& b) {
   return Area(a.room->polygon) > Area(b.room->polygon);
 }
 
+// Of the most by which a picture may be too bright, or dark if negative. The first two lie apart.
+double ExposureShare(size_t camera_idx, Random& random) {
+  if (camera_idx == 0) return random.Uniform(0.5, 1.0);
+  if (camera_idx == 1) return random.Uniform(-1.0, -0.5);
+  return random.Uniform(-1.0, 1.0);
+}
+
 }  // namespace
 
 double Clearance(const Home& home, int room_id, const Vector2d& p) {
@@ -157,9 +164,10 @@ void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random) {
     const Eigen::Vector3d axis(std::cos(azimuth), std::sin(azimuth), 0);
     return Eigen::AngleAxisd(by_rad, axis).toRotationMatrix();
   };
-  for (HomeCamera& camera : home.cameras) {
+  for (size_t i = 0; i < home.cameras.size(); ++i) {
+    HomeCamera& camera = home.cameras[i];
     if (recipe.exposure_stops > 0)
-      camera.exposure = std::exp2(random.Uniform(-recipe.exposure_stops, recipe.exposure_stops));
+      camera.exposure = std::exp2(recipe.exposure_stops * ExposureShare(i, random));
     Eigen::Matrix3d& rotation = camera.home_from_cam.rotation;
     if (recipe.tilt_rad > 0)
       rotation = leaning(random.Uniform(-recipe.tilt_rad, recipe.tilt_rad)) * rotation;
@@ -174,7 +182,7 @@ void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random) {
 
 bool PlaceTourCameras(Home& home, Random& random) {
   const double height_m = random.Millimetres(1.3, 1.65);
-  const int more = random.Index(3) - 1;
+  const int more = random.Index(3);
   std::vector<RoomCameras> rooms;
   for (const HomeRoom& room : home.rooms) {
     if (room.use == RoomUse::kCloset) continue;

@@ -92,7 +92,7 @@ float Planks(uint64_t seed, float u, float v) {
   const float piece = std::floor(shifted / kLength_m);
   const float across = v - row * kWidth_m, along = shifted - piece * kLength_m;
   if (std::min(across, kWidth_m - across) < kGap_m || std::min(along, kLength_m - along) < kGap_m)
-    return 0.45f;
+    return 0.60f;
   const float shade = CellValue(seed + 1, static_cast<int64_t>(row), static_cast<int64_t>(piece));
   const uint64_t own = seed + 13 * static_cast<uint64_t>(static_cast<int64_t>(row) * 64 +
                                                          static_cast<int64_t>(piece));
@@ -103,7 +103,7 @@ float Tiles(uint64_t seed, float u, float v) {
   constexpr float kSize_m = 0.33f, kGrout_m = 0.003f;
   const float i = std::floor(u / kSize_m), j = std::floor(v / kSize_m);
   const float a = u - i * kSize_m, b = v - j * kSize_m;
-  if (std::min(std::min(a, kSize_m - a), std::min(b, kSize_m - b)) < kGrout_m) return 0.62f;
+  if (std::min(std::min(a, kSize_m - a), std::min(b, kSize_m - b)) < kGrout_m) return 0.75f;
   const float shade = CellValue(seed, static_cast<int64_t>(i), static_cast<int64_t>(j));
   return (0.96f + 0.08f * shade) * (1 + 0.03f * Noise(seed + 1, u / 0.09f, v / 0.05f));
 }

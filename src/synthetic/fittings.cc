@@ -17,10 +17,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3f;
 
 constexpr double kRadiatorHomes = 0.4;
-constexpr double kToCeiling = 0.8;  // of what stands up to 2 m or higher
-constexpr double kCurtainWindows = 0.35;
+constexpr double kToCeiling = 0.9;  // of what stands up to 2 m or higher
+constexpr double kCurtainWindows = 0.42;
 constexpr double kDrawnCurtains = 0.25;  // of these
-constexpr double kBulkheadRooms = 0.15;
+constexpr double kBulkheadRooms = 0.25;
 constexpr double kBoxRooms = 0.08;       // of the rooms without furniture
 constexpr double kLowBulkhead_m = 2.12;  // passes above door frames
 
@@ -62,15 +62,15 @@ FurniturePiece Larder(double width_m, double top_m, Random& random) {
 std::vector<CupboardRow> CupboardsFor(RoomUse use) {
   switch (use) {
     case RoomUse::kBedroom:
-      return {{FittedWardrobe, 0.5, 2.2}};
+      return {{FittedWardrobe, 0.8, 2.4}};
     case RoomUse::kLiving:
-      return {{FittedShelves, 0.4, 2.0}, {CoatCupboard, 0.2, 1.4}};
+      return {{FittedShelves, 0.7, 2.1}, {CoatCupboard, 0.2, 1.4}};
     case RoomUse::kKitchen:
-      return {{Larder, 0.3, 1.2}};
+      return {{Larder, 0.5, 1.2}};
     case RoomUse::kBath:
       return {{CoatCupboard, 0.3, 0.8}};
     case RoomUse::kHall:
-      return {{CoatCupboard, 0.3, 1.2}};
+      return {{CoatCupboard, 0.4, 1.2}};
     case RoomUse::kCloset:
       break;
   }
@@ -201,7 +201,7 @@ void FitSockets(RoomToFit& fit, Random& random) {
 }
 
 void FitPictures(RoomToFit& fit, Random& random) {
-  const int count = 1 + random.Index(3);
+  const int count = 2 + random.Index(3);
   for (int i = 0; i < count; ++i) {
     const bool is_left = fit.is_furnished || random.Chance(0.4);
     const FurniturePiece piece = is_left ? Picture(random) : PaintPatch(fit.room, random);

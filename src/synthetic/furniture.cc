@@ -138,11 +138,12 @@ FurniturePiece DiningTable(Random& random) {
 
 }  // namespace
 
-std::vector<FurniturePiece> FurnitureFor(RoomUse use, Random& random) {
+std::vector<FurniturePiece> FurnitureFor(RoomUse use, bool is_fitted, Random& random) {
   switch (use) {
     case RoomUse::kBedroom:
       return {Bed(random), Wardrobe(random), Drawers(random), Bookshelf(random)};
     case RoomUse::kKitchen:
+      if (is_fitted) return {DiningTable(random), Sideboard(random)};
       return {KitchenRun({.width_m = random.Millimetres(1.8, 2.5)}, random), DiningTable(random),
               Sideboard(random)};
     case RoomUse::kBath:

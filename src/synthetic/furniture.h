@@ -18,7 +18,8 @@ struct FurniturePiece {
   std::vector<HomeBox> boxes;
 };
 
-/// What a room of that use may hold, most wanted first, with random sizes and colours.
-[[nodiscard]] std::vector<FurniturePiece> FurnitureFor(RoomUse use, Random& random);
+/// What a room of that use may hold, most wanted first, with random sizes and colours. A kitchen
+/// that is fitted already gets no further units.
+[[nodiscard]] std::vector<FurniturePiece> FurnitureFor(RoomUse use, bool is_fitted, Random& random);
 
 }  // namespace enfilade

@@ -184,7 +184,7 @@ bool FillRooms(Home& home, const HomeRecipe& recipe, double furniture, Random& r
     if (!HangMirror(home, random)) return false;
   }
   if (recipe.has_built_ins && !BuildIn(home, recipe.has_cabinets_to_ceiling, random)) return false;
-  FurnishRooms(home, {furniture, recipe.furnished_rooms}, random);
+  FurnishRooms(home, {recipe.furniture_share * furniture, recipe.furnished_rooms}, random);
   return true;
 }
 
@@ -233,7 +233,7 @@ std::optional<Home> TryMakeStorey(const HomeRecipe& recipe, const HomeOptions& o
   }
   HangLamps(home, radiance);
   if (is_building) SpreadCorridorLamps(home);
-  home.baseboard_m = random.Millimetres(0.06, 0.08);
+  home.baseboard_m = random.Millimetres(0.05, 0.07);
   const double heading_rad =
       random.Uniform(DegToRad(3), DegToRad(42)) * (random.Chance(0.5) ? 1 : -1);
   home.home_from_world.rotation = RotationZ(-heading_rad);

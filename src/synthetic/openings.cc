@@ -140,20 +140,26 @@ HomeOpening* RandomWindow(Home& home, Random& random) {
   return random.Pick(windows);
 }
 
-// A free part of the wall between two rooms that are no closets.
+bool IsCloset(const HomeRoom& room) { return room.use == RoomUse::kCloset; }
+
+bool IsPrivate(const HomeRoom& room) {
+  return IsCloset(room) || room.use == RoomUse::kBedroom || room.use == RoomUse::kBath;
+}
+
+// A free part of the wall between two rooms.
 struct WallSpan {
   SharedWall shared;
   double begin_m = 0, end_m = 0;
 };
 
 std::optional<WallSpan> FindSpan(const Home& home, double max_thickness_m, double min_width_m,
-                                 double max_width_m, Random& random) {
+                                 double max_width_m, bool (*is_out)(const HomeRoom&),
+                                 Random& random) {
   constexpr int kTries = 20;
   std::vector<SharedWall> shared =
       FindSharedWalls(home, max_thickness_m, min_width_m + 2 * kCornerGap_m);
   std::erase_if(shared, [&](const SharedWall& s) {
-    return home.RoomById(s.wall.room_id).use == RoomUse::kCloset ||
-           home.RoomById(s.other_room_id).use == RoomUse::kCloset;
+    return is_out(home.RoomById(s.wall.room_id)) || is_out(home.RoomById(s.other_room_id));
   });
   for (int tries = 0; tries < kTries && !shared.empty(); ++tries) {
     const SharedWall& s = random.Pick(shared);
@@ -236,13 +242,14 @@ bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& ra
   };
   for (const HomeOpening& opening : home.openings) join(opening.room_id, *opening.other_room_id);
   const size_t states = mix.has_ajar ? kPassable.size() : 2;
+  const size_t first = mix.has_ajar ? 1 : 0;  // the open plan may leave but two doors
   std::vector<SharedWall> rest;
   size_t num_doors = 0;
   for (const SharedWall& s : shared) {
     const auto room_idx = static_cast<size_t>(s.wall.room_id);
     if (group[room_idx] == group[static_cast<size_t>(s.other_room_id)]) {
       rest.push_back(s);
-    } else if (AddDoor(home, s, kPassable[num_doors % states], random)) {
+    } else if (AddDoor(home, s, kPassable[(first + num_doors) % states], random)) {
       join(s.wall.room_id, s.other_room_id);
       ++num_doors;
     }
@@ -319,7 +326,7 @@ void GlazeADoor(Home& home, Random& random) {
 bool AddWideOpening(Home& home, double max_thickness_m, Random& random) {
   constexpr double kMinWidth_m = 1.6, kMaxWidth_m = 3.2;
   const std::optional<WallSpan> span =
-      FindSpan(home, max_thickness_m, kMinWidth_m, kMaxWidth_m, random);
+      FindSpan(home, max_thickness_m, kMinWidth_m, kMaxWidth_m, IsPrivate, random);
   if (!span) return false;
   const double lowest = std::min(home.RoomById(span->shared.wall.room_id).ceiling_z,
                                  home.RoomById(span->shared.other_room_id).ceiling_z);
@@ -335,7 +342,7 @@ bool AddWideOpening(Home& home, double max_thickness_m, Random& random) {
 bool AddGlassWall(Home& home, double max_thickness_m, Random& random) {
   constexpr double kMinWidth_m = 1.2, kMaxWidth_m = 2.4;
   const std::optional<WallSpan> span =
-      FindSpan(home, max_thickness_m, kMinWidth_m, kMaxWidth_m, random);
+      FindSpan(home, max_thickness_m, kMinWidth_m, kMaxWidth_m, IsCloset, random);
   if (!span) return false;
   HomeOpening glass = MakeOpening(home, span->shared.wall, span->begin_m, span->end_m);
   glass.kind = OpeningKind::kWindow;

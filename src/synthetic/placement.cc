@@ -97,13 +97,17 @@ bool TryPlacePiece(Home& home, const HomeRoom& room, const FurniturePiece& piece
   return false;
 }
 
-// Each piece with a chance of `share`, in their order, where it fits.
+// Each piece with a chance of `share`, in their order, where it fits; if that leaves the room
+// empty, the least wanted one that fits, unless `share` is 0.
 void PlacePieces(Home& home, const HomeRoom& room, const std::vector<FurniturePiece>& pieces,
                  double share, Random& random) {
   RoomBlocks blocks = BlocksOf(home, room);
+  bool is_empty = true;
   for (const FurniturePiece& piece : pieces) {
-    if (random.Chance(share)) (void)TryPlacePiece(home, room, piece, blocks, random);
+    if (random.Chance(share)) is_empty &= !TryPlacePiece(home, room, piece, blocks, random);
   }
+  for (size_t i = pieces.size(); i > 0 && is_empty && share > 0; --i)
+    is_empty = !TryPlacePiece(home, room, pieces[i - 1], blocks, random);
 }
 
 // The place on a 10 cm grid that is farthest from the polygon's boundary.
@@ -182,7 +186,10 @@ void FurnishRooms(Home& home, const FurnitureShare& share, Random& random) {
     num_due += share.of_rooms;
     if (num_due < 1 || room.use == RoomUse::kHall || room.use == RoomUse::kCloset) continue;
     num_due -= 1;
-    PlacePieces(home, room, FurnitureFor(room.use, random), share.of_pieces, random);
+    const bool is_fitted =
+        std::any_of(home.boxes.begin(), home.boxes.end(),
+                    [&](const HomeBox& box) { return box.is_built_in && box.room_id == room.id; });
+    PlacePieces(home, room, FurnitureFor(room.use, is_fitted, random), share.of_pieces, random);
   }
 }
 

@@ -22,21 +22,23 @@ HomeRecipe TourRecipe() {
   recipe.max_rooms = 8;
   recipe.max_storeys = 3;
   recipe.doors = {.has_ajar = true, .closed_inner_share = 0.2};
+  recipe.num_wide_openings = 2;
   recipe.has_free_walls = true;
   recipe.num_niches = 2;
   recipe.has_built_ins = true;
   recipe.has_fittings = true;
   recipe.has_mirror_or_low_window = true;
   recipe.furnished_rooms = 0.5;
+  recipe.furniture_share = 0.5;
   recipe.sun_chance = 0.6;
   // With these, ceilings stand out against walls by as many grey levels as in real tours.
   recipe.lamp_light = 0.3;
   recipe.plain_ceilings = 0.5;
   recipe.slope_chance = 0.25;
-  recipe.crown_chance = 0.15;
+  recipe.crown_chance = 0.45;
   recipe.cameras = CameraPlan::kTour;
   // Poses that a person has set by hand are this good, and nobody measures the tripod's tilt.
-  recipe.errors = {.position_m = 0.015, .yaw_rad = DegToRad(0.2), .tilt_rad = DegToRad(0.2)};
+  recipe.errors = {.position_m = 0.02, .yaw_rad = DegToRad(0.25), .tilt_rad = DegToRad(0.2)};
   return recipe;
 }
 
@@ -62,7 +64,6 @@ HomeRecipe HardRecipe() {
   recipe.max_storeys = 1;
   recipe.min_rooms = 6;  // from here on there are closets
   recipe.doors.open_inner_share = 0.5;
-  recipe.num_wide_openings = 1;
   recipe.num_glass_walls = 1;
   recipe.has_glass_door = true;
   recipe.has_curved_wall = true;
@@ -72,6 +73,7 @@ HomeRecipe HardRecipe() {
   recipe.has_mirror_or_low_window = false;
   recipe.num_mirrors = 2;
   recipe.furnished_rooms = 1;
+  recipe.furniture_share = 1;
   recipe.slope_chance = 0.5;
   recipe.tilt_rad = DegToRad(2);
   recipe.exposure_stops = 0.7;

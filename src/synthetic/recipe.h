@@ -37,6 +37,7 @@ struct HomeRecipe {
   int num_mirrors = 0;
   bool has_mirror_or_low_window = false;
   double furnished_rooms = 1;
+  double furniture_share = 1;        ///< of what HomeOptions asks for in these
   double min_hidden_floor_line = 0;  ///< share that furniture hides
   double sun_chance = 0;
   double lamp_light = 1;      ///< of what lights a room well: the rest is left to its windows

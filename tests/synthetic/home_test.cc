@@ -182,6 +182,10 @@ int NumRoomsOf(const Home& home, RoomUse use) {
                                         [&](const HomeRoom& room) { return room.use == use; }));
 }
 
+bool IsWideOpening(const HomeOpening& opening) {
+  return opening.kind == OpeningKind::kOpening && (opening.b - opening.a).norm() > 1.5;
+}
+
 void ExpectPromisedTour(const Home& home) {
   const int num_rooms = static_cast<int>(home.rooms.size());
   EXPECT_GE(num_rooms, 5);
@@ -200,6 +204,7 @@ void ExpectPromisedTour(const Home& home) {
     return box.finish == Finish::kMirror;
   });
   EXPECT_TRUE(has_mirror || doors.low_windows > 0);
+  EXPECT_TRUE(std::any_of(home.openings.begin(), home.openings.end(), IsWideOpening));
   EXPECT_LE(2 * NumFurnishedRooms(home), num_rooms + 1);
 }
 
@@ -260,14 +265,14 @@ struct FittingShares {
     EXPECT_GE(with_radiators, homes * 0.35);
     EXPECT_LE(with_radiators, homes * 0.55);
     EXPECT_GE(with_curtains, homes * 0.5);
-    EXPECT_GE(total.wardrobes, bedrooms * 0.4);
-    EXPECT_GE(total.bulkheads, rooms * 0.1);
+    EXPECT_GE(total.wardrobes, bedrooms * 0.6);
+    EXPECT_GE(total.bulkheads, rooms * 0.15);
     EXPECT_GE(total.plates, rooms * 5);
   }
 };
 
 TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
-  int num_l_or_u = 0, num_furnished = 0, num_rooms = 0, num_free = 0;
+  int num_l_or_u = 0, num_furnished = 0, num_rooms = 0, num_free = 0, num_crowns = 0;
   size_t num_cameras = 0;
   FittingShares fittings;
   for (int seed = 0; seed < kSeeds; ++seed) {
@@ -281,8 +286,12 @@ TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
     num_rooms += static_cast<int>(home.rooms.size());
     num_furnished += NumFurnishedRooms(home);
     num_free += NumFreeRooms(home);
-    for (const HomeRoom& room : home.rooms) num_l_or_u += room.polygon.outer.size() >= 6;
+    for (const HomeRoom& room : home.rooms) {
+      num_l_or_u += room.polygon.outer.size() >= 6;
+      num_crowns += room.crown_m > 0;
+    }
   }
+  EXPECT_GE(num_crowns, num_rooms * 0.4);
   EXPECT_GE(num_l_or_u, kSeeds);
   EXPECT_GE(num_free, num_rooms * 0.15);
   EXPECT_GE(num_furnished, num_rooms * 0.3);
@@ -337,10 +346,9 @@ struct HardParts {
 HardParts CountHardParts(const Home& home) {
   HardParts parts;
   for (const HomeOpening& opening : home.openings) {
-    const double width_m = (opening.b - opening.a).norm();
     const bool is_window = opening.kind == OpeningKind::kWindow;
     const double sill_m = opening.sill_z - home.RoomById(opening.room_id).floor_z;
-    parts.wide_openings += opening.kind == OpeningKind::kOpening && width_m > 1.5;
+    parts.wide_openings += IsWideOpening(opening);
     parts.glass_walls += is_window && opening.other_room_id && sill_m < 0.05;
     parts.glass_doors += is_window && !opening.other_room_id && sill_m < 0.05;
   }
