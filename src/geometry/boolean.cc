@@ -155,10 +155,17 @@ MultiPolygon2 OffsetSharp(const MultiPolygon2& region, double distance_m) {
   constexpr double kLongestMitre = 5;  // times the distance; sharper corners are cut off
   const Geos geos;
   const Geos::Geometry geometry = geos.FromRegion(region);
-  return geos.ToRegion(
-      geos.Own(GEOSBufferWithStyle_r(geos.handle(), geometry.get(), distance_m, kQuadrantSegments,
-                                     GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kLongestMitre))
-          .get());
+  // GEOS 3.11 gives up on corners that fold back, which edges leave that miss each other by a
+  // rounding error: on a grid they do not, or else on a coarser one.
+  GEOSGeometry* offset = nullptr;
+  for (const double grid_m : {1e-6, 1e-5, 1e-4, 1e-3}) {
+    const Geos::Geometry snapped =
+        geos.Own(GEOSGeom_setPrecision_r(geos.handle(), geometry.get(), grid_m, 0));
+    offset = GEOSBufferWithStyle_r(geos.handle(), snapped.get(), distance_m, kQuadrantSegments,
+                                   GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kLongestMitre);
+    if (offset != nullptr) break;
+  }
+  return geos.ToRegion(geos.Own(offset).get());
 }
 
 MultiPolygon2 CloseRegion(const MultiPolygon2& region, double radius_m, double max_hole_m2) {

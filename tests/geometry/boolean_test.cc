@@ -143,6 +143,29 @@ TEST(OffsetSharp, KeepsRightAnglesAndClosesWhatIsNarrow) {
   }
 }
 
+TEST(OffsetSharp, EdgesThatMissEachOtherByARoundingErrorDoNoHarm) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> tenth(0, 60), size(3, 30), ulps(-3, 3);
+  const auto jitter = [&](double v) { return v + 1e-15 * ulps(random); };
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE(round);
+    MultiPolygon2 clean, noisy;
+    for (int i = 0; i < 6; ++i) {
+      const double x = 0.1 * tenth(random), y = 0.1 * tenth(random);
+      const double w = 0.1 * size(random), h = 0.1 * size(random);
+      clean.push_back({{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, {}});
+      Ring2 ring = clean.back().outer;
+      for (Eigen::Vector2d& p : ring) p = {jitter(p.x()), jitter(p.y())};
+      noisy.push_back({ring, {}});
+    }
+    const MultiPolygon2 closed = OffsetSharp(OffsetSharp(noisy, 0.47), -0.47);
+    const MultiPolygon2 rest = Difference(closed, noisy);
+    const MultiPolygon2 opened = OffsetSharp(OffsetSharp(rest, -0.17), 0.17);
+    EXPECT_NEAR(Area(closed), Area(OffsetSharp(OffsetSharp(clean, 0.47), -0.47)), 0.02);
+    EXPECT_LE(Area(opened), Area(rest) + 1e-4);
+  }
+}
+
 TEST(Offset, DiscsAndErrorOfTheArcs) {
   Ring2 disc;
   for (int i = 0; i < 256; ++i) {

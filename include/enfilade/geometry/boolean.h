@@ -18,7 +18,8 @@ namespace enfilade {
 [[nodiscard]] MultiPolygon2 Offset(const MultiPolygon2& region, double distance_m);
 
 /// As Offset, but corners stay sharp: edges move along their normals. For regions with right angles
-/// this is the Minkowski sum with a square, or the erosion by it.
+/// this is the Minkowski sum with a square, or the erosion by it. Vertices are rounded to 1 µm
+/// first, more coarsely where that leaves corners that fold back, to 1 mm at most.
 [[nodiscard]] MultiPolygon2 OffsetSharp(const MultiPolygon2& region, double distance_m);
 
 /// Morphological closing with a disc, then holes smaller than `max_hole_m2` filled: the protocol's
