@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "enfilade/floorplan/joined_rooms.h"
 #include "enfilade/geometry/boolean.h"
 
 namespace enfilade {
@@ -51,37 +52,42 @@ Polygon2 ToWorld(const Rigid3& world_from_home, const Polygon2& polygon) {
 double Length(const Segment2& segment) { return (segment[1] - segment[0]).norm(); }
 Vector2d Center(const Segment2& segment) { return 0.5 * (segment[0] + segment[1]); }
 
-// The storey's rooms, those that a wide opening joins taken together, in the order of their first.
-std::vector<JudgedRoom> JoinedRooms(const Storey& storey, const Rigid3& world_from_home) {
-  std::map<int, size_t> idx_of_id;
-  for (size_t i = 0; i < storey.rooms.size(); ++i) idx_of_id[storey.rooms[i].id] = i;
-  Groups groups(storey.rooms.size());
-  for (const Opening& opening : storey.openings) {
-    if (opening.kind != OpeningKind::kOpening || !opening.other_room_id) continue;
-    if ((opening.b - opening.a).norm() <= kRoomJoiningOpening_m) continue;
-    const auto room = idx_of_id.find(opening.room_id);
-    const auto other = idx_of_id.find(*opening.other_room_id);
-    if (room != idx_of_id.end() && other != idx_of_id.end())
-      groups.Join(room->second, other->second);
-  }
-  std::vector<JudgedRoom> joined;
-  std::map<size_t, size_t> joined_idx;
-  std::vector<double> largest_m2;  // part of each joined room: its ceiling stands for all
-  for (size_t i = 0; i < storey.rooms.size(); ++i) {
-    const Room& room = storey.rooms[i];
-    const auto [entry, is_new] = joined_idx.emplace(groups.Find(i), joined.size());
+// Takes rooms that are one together, in the order of their first; the ceiling of the largest stands
+// for all.
+class RoomJoiner {
+ public:
+  // `first` is what this room is one with, or the room itself; it has been added before others.
+  void Add(size_t first, const MultiPolygon2& region, std::optional<double> ceiling_m) {
+    const auto [entry, is_new] = joined_idx_.emplace(first, rooms_.size());
     const size_t j = entry->second;
     if (is_new) {
-      joined.emplace_back();
-      largest_m2.push_back(-1);
+      rooms_.emplace_back();
+      largest_m2_.push_back(-1);
     }
-    joined[j].region = Union(joined[j].region, {ToWorld(world_from_home, room.polygon)});
-    if (Area(room.polygon) > largest_m2[j]) {
-      largest_m2[j] = Area(room.polygon);
-      joined[j].ceiling_m = room.ceiling_z - room.floor_z;
-    }
+    rooms_[j].region = is_new ? region : Union(rooms_[j].region, region);
+    const double area_m2 = Area(region);
+    if (area_m2 <= largest_m2_[j]) return;
+    largest_m2_[j] = area_m2;
+    rooms_[j].ceiling_m = ceiling_m;
   }
-  return joined;
+
+  [[nodiscard]] const std::vector<JudgedRoom>& rooms() const { return rooms_; }
+
+ private:
+  std::vector<JudgedRoom> rooms_;
+  std::map<size_t, size_t> joined_idx_;
+  std::vector<double> largest_m2_;  // part of each joined room
+};
+
+// The storey's rooms, those that a wide opening joins taken together.
+std::vector<JudgedRoom> JoinedRooms(const Storey& storey, const Rigid3& world_from_home) {
+  const std::vector<size_t> first = FirstJoinedRooms(storey);
+  RoomJoiner joiner;
+  for (size_t i = 0; i < storey.rooms.size(); ++i) {
+    const Room& room = storey.rooms[i];
+    joiner.Add(first[i], {ToWorld(world_from_home, room.polygon)}, room.ceiling_z - room.floor_z);
+  }
+  return joiner.rooms();
 }
 
 // Interval [first, second] of the segment's length that the opening covers; empty when first ≥
@@ -171,11 +177,14 @@ std::vector<Segment2> MergeDoors(const std::vector<Segment2>& doors) {
 
 JudgedPlan JudgedPlanOf(const GroundTruth& truth) {
   JudgedPlan plan;
-  for (const TruthRoom& room : truth.rooms) {
-    JudgedRoom judged{room.region, std::nullopt};
-    if (room.floor_z && room.ceiling_z) judged.ceiling_m = *room.ceiling_z - *room.floor_z;
-    plan.rooms.push_back(std::move(judged));
+  RoomJoiner joiner;
+  for (size_t i = 0; i < truth.rooms.size(); ++i) {
+    const TruthRoom& room = truth.rooms[i];
+    std::optional<double> ceiling_m;
+    if (room.floor_z && room.ceiling_z) ceiling_m = *room.ceiling_z - *room.floor_z;
+    joiner.Add(room.joined_to.value_or(i), room.region, ceiling_m);
   }
+  plan.rooms = joiner.rooms();
   for (const Segment2& wall : truth.walls) {
     if (Length(wall) > 0) plan.walls.push_back(wall);
   }

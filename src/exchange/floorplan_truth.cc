@@ -7,6 +7,7 @@
 
 #include "enfilade/base/hash.h"
 #include "enfilade/exchange/floorplan_json.h"
+#include "enfilade/floorplan/joined_rooms.h"
 #include "src/exchange/picture_files.h"
 #include "src/exchange/truth_sources.h"
 
@@ -166,6 +167,11 @@ GroundTruth ReadFloorplanTruth(const std::filesystem::path& path,
     const std::vector<Cut> cuts = CutsOf(plan.storeys[i]);
     for (const Room& room : plan.storeys[i].rooms) {
       AppendRoom(room, static_cast<int>(i), cuts, to_world, truth);
+    }
+    const std::vector<size_t> first = FirstJoinedRooms(plan.storeys[i]);
+    const size_t base = truth.rooms.size() - first.size();
+    for (size_t k = 0; k < first.size(); ++k) {
+      if (first[k] != k) truth.rooms[base + k].joined_to = base + first[k];
     }
     for (const Cut& cut : cuts) {
       if (cut.kind != OpeningKind::kDoor) continue;

@@ -51,6 +51,19 @@ TEST(JudgedPlan, AWideOpeningMakesOneRoom) {
   EXPECT_EQ(JudgedPlanOf(MakePlan(SmallHomeRooms(), openings)).rooms.size(), 3U);
 }
 
+TEST(JudgedPlan, TheTruthJoinsWhatAPlanJoins) {
+  SmallHome home = MakeSmallHome();
+  home.truth.rooms[2].joined_to = 1;
+  const double smaller_m2 = Area(home.truth.rooms[1].region);
+  const double larger_m2 = Area(home.truth.rooms[2].region);
+  home.truth.rooms[1].ceiling_z = 9;
+  const JudgedPlan plan = JudgedPlanOf(home.truth);
+  ASSERT_EQ(plan.rooms.size(), 2U);
+  EXPECT_NEAR(Area(plan.rooms[1].region), smaller_m2 + larger_m2, 1e-9);
+  ASSERT_LT(smaller_m2, larger_m2);
+  EXPECT_LT(*plan.rooms[1].ceiling_m, 5);
+}
+
 TEST(JudgedPlan, ARoomWithoutLevelCeilingHasNoHeight) {
   SmallHome home = MakeSmallHome();
   home.truth.rooms[1].ceiling_z.reset();

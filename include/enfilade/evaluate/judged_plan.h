@@ -36,17 +36,14 @@ inline constexpr double kOpeningReach_m = 0.35;
 /// Walls are compared when their directions differ by no more than this.
 inline constexpr double kMaxWallAngle_rad = 0.5235987755982988;  // 30°
 
-/// Openings (without a door) wider than this make one room of the spaces that they join.
-inline constexpr double kRoomJoiningOpening_m = 1.2;
-
 /// Doors whose centres are within this are one, and a found door is a hit.
 inline constexpr double kDoorDistance_m = 0.4;
 
+/// Rooms joined by a wide opening become one, with the ceiling of the largest.
 [[nodiscard]] JudgedPlan JudgedPlanOf(const GroundTruth& truth);
 
-/// Polygons are brought from the home frame to the world. Rooms joined by a wide opening
-/// become one, with the ceiling of the largest; the walls are the outlines of the rooms as they
-/// stand, less doors and openings.
+/// Polygons are brought from the home frame to the world. Rooms become one as in the truth; the
+/// walls are the outlines of the rooms as they stand, less doors and openings.
 [[nodiscard]] JudgedPlan JudgedPlanOf(const Floorplan& floorplan);
 
 /// The parts of `segments` that lie in none of `openings`: an opening takes out what it covers,

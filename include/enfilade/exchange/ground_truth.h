@@ -34,6 +34,9 @@ struct TruthRoom {
   MultiPolygon2 region;  ///< inner wall faces
   int storey_idx = 0;
   std::optional<double> floor_z, ceiling_z;  ///< none where floor or ceiling is not level
+  /// The first of the rooms that wide openings make one with this, as an index into
+  /// GroundTruth::rooms; none if this is the first, or alone.
+  std::optional<size_t> joined_to;
 };
 
 /// What a result is judged against, whatever file it was read from.
