@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kSeenShare = 0.7;
-constexpr double kPartlyShare = 0.25;
 constexpr double kMinSigma_m = 0.015;
 constexpr double kInferredSigma_m = 0.25;
 
@@ -38,9 +37,9 @@ Wall MakeWall(const LoopField& field, const Vector2d& a, const Vector2d& b,
   wall.b = b;
   wall.thickness_m = options.wall_thickness_m;
   const WallBand band = MeasureWallBand(field, a, b, options.slide_m);
-  wall.seen = band.seen_share >= kSeenShare     ? WallSeen::kSeen
-              : band.seen_share >= kPartlyShare ? WallSeen::kPartly
-                                                : WallSeen::kInferred;
+  wall.seen = band.seen_share >= kSeenShare         ? WallSeen::kSeen
+              : band.seen_share >= kPartlySeenShare ? WallSeen::kPartly
+                                                    : WallSeen::kInferred;
   const bool is_measured = band.has_peak && wall.seen != WallSeen::kInferred;
   wall.sigma_m = is_measured ? std::max(band.sigma_m, kMinSigma_m) : kInferredSigma_m;
   return wall;

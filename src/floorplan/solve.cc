@@ -11,6 +11,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/cells.h"
+#include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/outline.h"
 #include "src/floorplan/rooms.h"
@@ -65,12 +66,10 @@ Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
   for (const auto& island : outline.islands) {
     region = Difference(region, {{RingInMetres(field.frame, island), {}}});
   }
-  const auto largest =
-      std::max_element(region.begin(), region.end(),
-                       [](const Polygon2& a, const Polygon2& b) { return Area(a) < Area(b); });
-  if (largest == region.end()) return {};
-  Polygon2 polygon{RemoveCollinear(largest->outer), {}};
-  for (const Ring2& hole : largest->holes) polygon.holes.push_back(RemoveCollinear(hole));
+  const Polygon2 largest = LargestPart(region);
+  if (largest.outer.empty()) return {};
+  Polygon2 polygon{RemoveCollinear(largest.outer), {}};
+  for (const Ring2& hole : largest.holes) polygon.holes.push_back(RemoveCollinear(hole));
   return polygon;
 }
 
@@ -83,11 +82,7 @@ void RemoveOverlaps(std::vector<Polygon2>& polygons) {
   MultiPolygon2 taken;
   for (const size_t i : order) {
     if (Area(Intersection({polygons[i]}, taken)) > 1e-6) {
-      const MultiPolygon2 rest = Difference({polygons[i]}, taken);
-      const auto largest =
-          std::max_element(rest.begin(), rest.end(),
-                           [](const Polygon2& a, const Polygon2& b) { return Area(a) < Area(b); });
-      polygons[i] = largest != rest.end() ? *largest : Polygon2{};
+      polygons[i] = LargestPart(Difference({polygons[i]}, taken));
     }
     if (!polygons[i].outer.empty()) taken.push_back(polygons[i]);
   }

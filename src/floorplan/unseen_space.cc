@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "enfilade/geometry/boolean.h"
+#include "src/floorplan/largest_part.h"
 #include "src/floorplan/slide.h"
 #include "src/floorplan/wall_band.h"
 
@@ -23,7 +24,6 @@ constexpr double kMinSpace_m2 = 0.5;
 constexpr double kClosetDepth_m = 0.7;
 constexpr double kClosetArea_m2 = 0.8;
 constexpr double kOpenSide_m = 0.6;  // as much of a boundary without wall is a way in
-constexpr double kSeenShare = 0.25;
 constexpr double kTouch_m = 0.01;
 constexpr double kCollinear_m = 1e-6;
 
@@ -42,21 +42,18 @@ MultiPolygon2 Enclosed(const MultiPolygon2& rooms, double gap_m, double max_hole
 }
 
 // The largest part without needless vertices.
-Polygon2 LargestPart(const MultiPolygon2& region, double min_jog_m, const WallWeight& weight) {
-  const auto largest =
-      std::max_element(region.begin(), region.end(),
-                       [](const Polygon2& a, const Polygon2& b) { return Area(a) < Area(b); });
-  if (largest == region.end()) return {};
-  Polygon2 part{RemoveCollinear(largest->outer, kCollinear_m), {}};
-  for (const Ring2& hole : largest->holes)
-    part.holes.push_back(RemoveCollinear(hole, kCollinear_m));
+Polygon2 TidyPart(const MultiPolygon2& region, double min_jog_m, const WallWeight& weight) {
+  const Polygon2 largest = LargestPart(region);
+  if (largest.outer.empty()) return {};
+  Polygon2 part{RemoveCollinear(largest.outer, kCollinear_m), {}};
+  for (const Ring2& hole : largest.holes) part.holes.push_back(RemoveCollinear(hole, kCollinear_m));
   StraightenJogs(min_jog_m, weight, part);
   return part;
 }
 
 double NumVertices(const Polygon2& polygon) {
-  size_t count = polygon.outer.size();
-  for (const Ring2& hole : polygon.holes) count += hole.size();
+  size_t count = 0;
+  for (const Ring2& ring : RingsOf(polygon)) count += ring.size();
   return static_cast<double>(count);
 }
 
@@ -90,8 +87,8 @@ class SpaceTaker {
     const bool is_cut_off = most_open->open_m >= kOpenSide_m;
     if (!is_cut_off) {
       const Polygon2 closet =
-          LargestPart(Open(Difference({space}, Walls(std::nullopt)), kClosetDepth_m),
-                      options_.min_jog_m, LengthOf);
+          TidyPart(Open(Difference({space}, Walls(std::nullopt)), kClosetDepth_m),
+                   options_.min_jog_m, LengthOf);
       if (Area(closet) >= kClosetArea_m2) {
         rooms_.push_back(closet);
         return Area(closet);
@@ -135,7 +132,7 @@ class SpaceTaker {
       const Vector2d to = a + static_cast<double>(k) / num_steps * (b - a);
       const double along_m = (to - from).norm();
       border.length_m += along_m;
-      if (MeasureWallBand(field_, from, to, options_.slide_m).seen_share < kSeenShare)
+      if (MeasureWallBand(field_, from, to, options_.slide_m).seen_share < kPartlySeenShare)
         border.open_m += along_m;
       begin.reset();
     }
@@ -152,15 +149,15 @@ class SpaceTaker {
 
   // Where both go on side by side, the room's own walls say where.
   [[nodiscard]] Polygon2 Widened(const Polygon2& room, const MultiPolygon2& by) const {
+    const std::vector<Ring2> rings = RingsOf(room);
     const auto weight = [&](const Vector2d& a, const Vector2d& b) {
       const Vector2d middle = 0.5 * (a + b);
-      const std::vector<Ring2> rings = RingsOf(room);
       const bool is_own = std::any_of(rings.begin(), rings.end(), [&](const Ring2& ring) {
         return DistanceToRing(ring, middle) < kCollinear_m;
       });
       return is_own ? LengthOf(a, b) : 0;
     };
-    return LargestPart(Union({room}, by), options_.min_jog_m, weight);
+    return TidyPart(Union({room}, by), options_.min_jog_m, weight);
   }
 
   // Adds the space to the room that is most open to it, or else gets the fewest vertices.

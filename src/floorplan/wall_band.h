@@ -8,6 +8,9 @@
 
 namespace enfilade {
 
+/// Of a wall's length: where evidence covers less, nobody saw a wall.
+inline constexpr double kPartlySeenShare = 0.25;
+
 /// Wall evidence beside a segment, as a function of the offset to its left.
 struct WallBand {
   bool has_peak = false;
