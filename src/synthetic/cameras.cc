@@ -110,6 +110,13 @@ bool IsNextBefore(const RoomCameras& a, const RoomCameras& b) {
   return Area(a.room->polygon) > Area(b.room->polygon);
 }
 
+// A turn about a random level axis.
+Eigen::Matrix3d Leaning(double by_rad, Random& random) {
+  const double azimuth = random.Uniform(-kPi, kPi);
+  const Eigen::Vector3d axis(std::cos(azimuth), std::sin(azimuth), 0);
+  return Eigen::AngleAxisd(by_rad, axis).toRotationMatrix();
+}
+
 // Of the most by which a picture may be too bright, or dark if negative. The first two lie apart.
 double ExposureShare(size_t camera_idx, Random& random) {
   if (camera_idx == 0) return random.Uniform(0.5, 1.0);
@@ -159,24 +166,29 @@ void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double 
 
 void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random) {
   const PoseErrors& errors = recipe.errors;
-  const auto leaning = [&](double by_rad) {
-    const double azimuth = random.Uniform(-kPi, kPi);
-    const Eigen::Vector3d axis(std::cos(azimuth), std::sin(azimuth), 0);
-    return Eigen::AngleAxisd(by_rad, axis).toRotationMatrix();
-  };
   for (size_t i = 0; i < home.cameras.size(); ++i) {
     HomeCamera& camera = home.cameras[i];
     if (recipe.exposure_stops > 0)
       camera.exposure = std::exp2(recipe.exposure_stops * ExposureShare(i, random));
     Eigen::Matrix3d& rotation = camera.home_from_cam.rotation;
     if (recipe.tilt_rad > 0)
-      rotation = leaning(random.Uniform(-recipe.tilt_rad, recipe.tilt_rad)) * rotation;
+      rotation = Leaning(random.Uniform(-recipe.tilt_rad, recipe.tilt_rad), random) * rotation;
     if (errors.position_m + errors.yaw_rad + errors.tilt_rad <= 0) continue;
     Rigid3 claimed = camera.home_from_cam;
     for (int k = 0; k < 2; ++k) claimed.translation[k] += errors.position_m * random.Normal();
     claimed.rotation = RotationZ(errors.yaw_rad * random.Normal()) * claimed.rotation;
     camera.claimed_home_from_cam = claimed;
-    rotation = leaning(errors.tilt_rad * random.Normal()) * rotation;
+    rotation = Leaning(errors.tilt_rad * random.Normal(), random) * rotation;
+  }
+}
+
+void TiltCameras(Home& home, double max_tilt_rad, Random& random) {
+  for (HomeCamera& camera : home.cameras) {
+    const double by_rad = random.Uniform(0, max_tilt_rad);
+    const Eigen::Matrix3d leaning = Leaning(by_rad, random);
+    camera.home_from_cam.rotation = leaning * camera.home_from_cam.rotation;
+    if (!camera.claimed_home_from_cam) continue;
+    camera.claimed_home_from_cam->rotation = leaning * camera.claimed_home_from_cam->rotation;
   }
 }
 

@@ -38,6 +38,10 @@ void AddCamera(Home& home, int room_id, const Eigen::Vector3d& position, double 
 /// ask for stays as it is.
 void DisturbCameras(Home& home, const HomeRecipe& recipe, Random& random);
 
+/// Turns every camera, true and claimed pose alike, about its centre and a random level axis by an
+/// angle uniform in [0, max_tilt_rad].
+void TiltCameras(Home& home, double max_tilt_rad, Random& random);
+
 /// Distance from `p` to the nearest wall face of its room, furniture or open leaf; negative when p
 /// is not in the room. Doors count as wall: nobody sets a tripod up in one.
 [[nodiscard]] double Clearance(const Home& home, int room_id, const Eigen::Vector2d& p);

@@ -26,8 +26,17 @@ constexpr double kSpeed_m_s = 0.8;
 constexpr double kTurn_rad_s = kPi / 2;
 constexpr double kMaxStep_m = 1;
 
+void CheckUpright(const Home& walk) {
+  for (const HomeCamera& camera : walk.cameras) {
+    if (camera.home_from_cam.rotation(2, 1) < -1 + 1e-9) continue;
+    throw InvalidInputError("pictures.kind", "is video, and " + camera.picture + " leans",
+                            "leave home.tilt_deg at 0");
+  }
+}
+
 // Position, and heading without jumps of a turn, of every camera.
 std::vector<Vector4d> PosesOf(const Home& walk) {
+  CheckUpright(walk);
   std::vector<Vector4d> poses;
   for (const HomeCamera& camera : walk.cameras) {
     const Rigid3& pose = camera.home_from_cam;

@@ -31,7 +31,13 @@ using Eigen::Vector3f;
 
 // Parts of a home whose numbers come from streams of their own.
 // Upper storeys take one number each.
-enum class SeedPart : uint64_t { kRoomCount = 4001, kWetRooms, kUpperStoreys, kFittings = 4101 };
+enum class SeedPart : uint64_t {
+  kRoomCount = 4001,
+  kWetRooms,
+  kUpperStoreys,
+  kFittings = 4101,
+  kTilt
+};
 
 std::optional<RoomLayout> MakeLayout(const HomeRecipe& recipe, int asked_rooms, uint64_t seed,
                                      Random& random) {
@@ -252,6 +258,21 @@ Home MakeStorey(const HomeRecipe& recipe, const HomeOptions& options, uint64_t s
   ENFILADE_CHECK_MSG(false, "no valid home for seed " + std::to_string(options.seed));
 }
 
+Home MakeStoreys(HomeRecipe recipe, const HomeOptions& options) {
+  const auto seed = static_cast<uint64_t>(options.seed);
+  if (options.storeys == 1) return MakeStorey(recipe, options, seed);
+  recipe.slope_chance = 0;  // a floor lies on every ceiling
+  std::vector<Home> storeys = {MakeStorey(recipe, options, seed)};
+  for (int i = 1; i < options.storeys; ++i) {
+    const uint64_t part = static_cast<uint64_t>(SeedPart::kUpperStoreys) + static_cast<uint64_t>(i);
+    storeys.push_back(MakeStorey(recipe, options, PartSeed(seed, part)));
+  }
+  Home home = StackStoreys(std::move(storeys));
+  home.seed = seed;
+  ENFILADE_CHECK(HomeProblems(home).empty());
+  return home;
+}
+
 void CheckOptions(const HomeOptions& options, const HomeRecipe& recipe) {
   HomeOptions checked = options;
   ValidateOptions(VisitorOf(checked), "synthetic home");
@@ -326,19 +347,13 @@ Rigid3 Home::ClaimedWorldFromCamera(int camera_idx) const {
 }
 
 Home MakeHome(const HomeOptions& options) {
-  HomeRecipe recipe = RecipeFor(options.preset);
+  const HomeRecipe recipe = RecipeFor(options.preset);
   CheckOptions(options, recipe);
-  const auto seed = static_cast<uint64_t>(options.seed);
-  if (options.storeys == 1) return MakeStorey(recipe, options, seed);
-  recipe.slope_chance = 0;  // a floor lies on every ceiling
-  std::vector<Home> storeys = {MakeStorey(recipe, options, seed)};
-  for (int i = 1; i < options.storeys; ++i) {
-    const uint64_t part = static_cast<uint64_t>(SeedPart::kUpperStoreys) + static_cast<uint64_t>(i);
-    storeys.push_back(MakeStorey(recipe, options, PartSeed(seed, part)));
+  Home home = MakeStoreys(recipe, options);
+  if (options.tilt_deg > 0) {
+    Random random(PartSeed(home.seed, static_cast<uint64_t>(SeedPart::kTilt)));
+    TiltCameras(home, DegToRad(options.tilt_deg), random);
   }
-  Home home = StackStoreys(std::move(storeys));
-  home.seed = seed;
-  ENFILADE_CHECK(HomeProblems(home).empty());
   return home;
 }
 

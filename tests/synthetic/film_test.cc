@@ -107,6 +107,13 @@ TEST(FilmWalk, RefusesCamerasThatFollowNoPath) {
       InvalidInputError);
 }
 
+TEST(FilmWalk, RefusesCamerasThatLean) {
+  HomeOptions options;
+  options.preset = HomePreset::kWalk;
+  options.tilt_deg = 3;
+  EXPECT_THROW((void)FilmWalk(MakeHome(options), 10), InvalidInputError);
+}
+
 class Video : public testing::Test {
  protected:
   static Home Corner() {

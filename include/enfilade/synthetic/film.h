@@ -11,8 +11,8 @@ namespace enfilade {
 /// 0.2 m of every camera) at 0.8 m/s, slower where it would turn by more than 90° a second.
 /// Pictures are called frame_000000.jpg and so on.
 ///
-/// Requires upright cameras. Throws InvalidInputError where they do not follow a path: fewer than
-/// two, or one more than 1 m from the one before.
+/// Throws InvalidInputError where the cameras lean or do not follow a path: fewer than two, or one
+/// more than 1 m from the one before.
 [[nodiscard]] Home FilmWalk(const Home& walk, double frames_per_second);
 
 }  // namespace enfilade

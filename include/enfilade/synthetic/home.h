@@ -30,6 +30,7 @@ struct HomeOptions {
   int rooms = 0;
   int storeys = 1;
   double furniture = 0.5;
+  double tilt_deg = 0;
 
   void Visit(OptionVisitor& v) {
     v("seed", seed, "Every number of the home comes from it.", {0, 2147483647});
@@ -44,6 +45,10 @@ struct HomeOptions {
       {1, 3});
     v("furniture", furniture, "Share of the furniture that a room can take, 0 for empty rooms.",
       {0.0, 1.0});
+    v("tilt_deg", tilt_deg,
+      "Every camera leans by up to this, and what is said of its pose as well; 0: as the preset "
+      "has it.",
+      {0.0, 30.0});
   }
 };
 
@@ -201,6 +206,10 @@ struct Home {
 /// door as from a stairwell, with level ceilings; those with less ground lie higher, centred over
 /// the lowest, with 0.3 m between the highest ceiling and the floor above. Room ids, pictures and
 /// furniture are numbered from bottom to top. A home of one storey is the same as ever.
+///
+/// With a tilt, the home is the one without it but for the cameras' rotations: each camera, true
+/// and claimed, is turned about its centre and a random level axis by an angle uniform in [0,
+/// tilt_deg], on top of what the preset does.
 ///
 /// Throws InvalidInputError for options out of range.
 [[nodiscard]] Home MakeHome(const HomeOptions& options);

@@ -65,9 +65,9 @@ struct WriteHomeOptions {
 ///
 /// A home that is there is replaced: transforms.json or video.avi goes first and comes last, so a
 /// folder that has it is whole. Same home and options, same bytes. Throws InvalidInputError for
-/// options out of range, for a video of a home that is no walk, and for pictures that take more
-/// memory than the context's cap (24 bytes a pixel for the colours and as much for the picture and
-/// its truth), and IoError.
+/// options out of range, for a video of a home that is no walk or whose cameras lean, and for
+/// pictures that take more memory than the context's cap (24 bytes a pixel for the colours and as
+/// much for the picture and its truth), and IoError.
 void WriteHome(const std::filesystem::path& folder, const Home& home,
                const WriteHomeOptions& options, RunContext& context);
 
