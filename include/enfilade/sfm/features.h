@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "enfilade/base/options.h"
+#include "enfilade/image/image.h"
+#include "enfilade/scene/camera.h"
+#include "enfilade/sfm/types.h"
+
+namespace enfilade {
+
+struct FeatureOptions {
+  int max_features = 8000;
+  double min_contrast = 0.02;
+
+  void Visit(OptionVisitor& v) {
+    v("max_features", max_features, "Features kept of a panorama, those of largest scale first.",
+      {100.0, 100000.0});
+    v("min_contrast", min_contrast,
+      "Least contrast of a feature (0 … 1): lower finds more on plain walls.", {0.001, 0.2});
+  }
+};
+
+/// SIFT features (Lowe 2004) of a panorama, found in its virtual views (eight upright ones round
+/// the horizon, up to 45° above and below it) with OpenCV, described as RootSIFT (Arandjelović and
+/// Zisserman, CVPR 2012): square roots of the components of the L1-normalised descriptor, times
+/// 256, cut at 127.
+///
+/// `panorama` is rows × 2·rows × 3 or × 1 of the size that `camera` (equirectangular) tells;
+/// `trusted` (rows × 2·rows, 0 = ignore) holds out the camera's stand and what the user masked.
+/// Features are ordered by size, then by direction: the same bytes for any number of threads. Uses
+/// the calling thread.
+[[nodiscard]] PanoFeatures ExtractFeatures(const ImageU8& panorama, const ImageU8& trusted,
+                                           const Camera& camera, const FeatureOptions& options);
+
+}  // namespace enfilade

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/sfm/feature_pool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace enfilade {
+namespace {
+
+constexpr size_t kDimension = kDescriptorSize;
+constexpr float kScale = kDescriptorScale;
+constexpr float kLargest = kMaxDescriptorValue;
+
+bool IsTrusted(const ImageU8& trusted, const Camera& pano, const Eigen::Vector3d& ray) {
+  const Eigen::Vector2d pixel = *pano.PixelFromRay(ray);
+  const int row = std::clamp(static_cast<int>(pixel.y()), 0, trusted.rows() - 1);
+  const int col = std::clamp(static_cast<int>(pixel.x()), 0, trusted.cols() - 1);
+  return trusted(row, col) != 0;
+}
+
+}  // namespace
+
+void FeaturePool::Add(int view_idx, const Eigen::Vector2d& pixel, double size_px,
+                      const float* root_sift) {
+  const Eigen::Vector3d ray_in_view = ring_.camera.RayFromPixel(pixel);
+  const Eigen::Vector3d ray = ring_.pano_from_view[static_cast<size_t>(view_idx)] * ray_in_view;
+  if (!ring_.Owns(view_idx, ray) || !IsTrusted(trusted_, pano_, ray)) return;
+  rays_.push_back(ray.cast<float>());
+  // A pixel subtends less towards the border of a plane picture.
+  sizes_rad_.push_back(
+      static_cast<float>(size_px * ring_.pixel_rad() * ray_in_view.z() * ray_in_view.z()));
+  for (size_t k = 0; k < kDimension; ++k) {
+    descriptors_.push_back(
+        static_cast<uint8_t>(std::clamp(root_sift[k] * kScale + 0.5F, 0.0F, kLargest)));
+  }
+}
+
+PanoFeatures FeaturePool::Take(int max_features) {
+  std::vector<size_t> order(rays_.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  // Equal keys are one feature with two orientations: their descriptors decide.
+  const auto descriptor = [&](size_t i) {
+    return descriptors_.begin() + static_cast<long>(i * kDimension);
+  };
+  std::sort(order.begin(), order.end(), [&](size_t i, size_t j) {
+    const auto key = [&](size_t k) {
+      return std::make_tuple(-sizes_rad_[k], rays_[k].x(), rays_[k].y(), rays_[k].z());
+    };
+    if (key(i) != key(j)) return key(i) < key(j);
+    return std::lexicographical_compare(descriptor(i), descriptor(i) + kDimension, descriptor(j),
+                                        descriptor(j) + kDimension);
+  });
+  order.resize(std::min(order.size(), static_cast<size_t>(max_features)));
+  PanoFeatures features;
+  for (const size_t i : order) {
+    features.rays.push_back(rays_[i]);
+    features.sizes_rad.push_back(sizes_rad_[i]);
+    features.descriptors.values.insert(features.descriptors.values.end(), descriptor(i),
+                                       descriptor(i) + kDimension);
+  }
+  return features;
+}
+
+}  // namespace enfilade
