@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/sfm/two_view.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "enfilade/geometry/angles.h"
+#include "src/sfm/upright_votes.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// A match: its rays and how much it counts.
+struct RayPair {
+  Vector3d first, second;
+  double weight = 1;
+};
+
+constexpr int kMinMatches = 8;
+// Matches count fully from this parallax on: those with less agree with many directions.
+constexpr double kFullParallax_rad = DegToRad(2);
+constexpr int kRefinements = 8;
+constexpr int kShifts = 7;
+// Rotations alone are told to this angle; so many of the agreeing matches make it one place.
+constexpr double kOneSpot_rad = DegToRad(1.5);
+constexpr double kSamePlace_rad = DegToRad(1.0);
+constexpr double kSamePlaceShare = 0.8;
+
+double Parallax(const TwoViewGeometry& geometry, const RayPair& rays) {
+  const Vector3d b = geometry.a_from_b * rays.second;
+  return std::atan2(rays.first.cross(b).norm(), rays.first.dot(b));
+}
+
+bool Agrees(const TwoViewGeometry& geometry, const RayPair& rays, double bound_rad) {
+  if (std::abs(EpipolarError(geometry, rays.first, rays.second)) > bound_rad) return false;
+  if (Parallax(geometry, rays) < bound_rad) return true;  // as far away as can be told
+  const PairDepths depths = TriangulateDepths(geometry, rays.first, rays.second);
+  return depths.a > 0 && depths.b > 0;
+}
+
+double Weight(const TwoViewGeometry& geometry, const RayPair& rays) {
+  return rays.weight * std::min(1.0, Parallax(geometry, rays) / kFullParallax_rad);
+}
+
+// Matches of one spot, from one feature at several scales or in several orientations, count as one:
+// if one of them is false, all are.
+void ShareWeights(std::vector<RayPair>& matches) {
+  std::vector<int> num_near(matches.size(), 0);
+  for (size_t i = 0; i < matches.size(); ++i) {
+    for (const RayPair& other : matches) {
+      num_near[i] += (matches[i].first - other.first).norm() < kOneSpot_rad &&
+                     (matches[i].second - other.second).norm() < kOneSpot_rad;
+    }
+  }
+  for (size_t i = 0; i < matches.size(); ++i) matches[i].weight = 1.0 / num_near[i];
+}
+
+double Score(const TwoViewGeometry& geometry, std::span<const RayPair> matches, double bound_rad) {
+  double score = 0;
+  for (const RayPair& rays : matches) {
+    if (Agrees(geometry, rays, bound_rad)) score += Weight(geometry, rays);
+  }
+  return score;
+}
+
+// Two unit vectors orthogonal to `direction`: level and upward.
+std::pair<Vector3d, Vector3d> Tangents(const Vector3d& direction) {
+  Vector3d level = Vector3d::UnitZ().cross(direction);
+  if (level.norm() < 1e-6) level = Vector3d::UnitX();
+  level.normalize();
+  return {level, direction.cross(level)};
+}
+
+TwoViewGeometry Moved(const TwoViewGeometry& geometry, const Eigen::Matrix<double, 5, 1>& step) {
+  const Vector3d omega = step.head<3>();
+  const Matrix3d turn =
+      omega.norm() < 1e-15 ? Matrix3d::Identity()
+                           : Eigen::AngleAxisd(omega.norm(), omega.normalized()).toRotationMatrix();
+  const auto [level, upward] = Tangents(geometry.direction);
+  return {turn * geometry.a_from_b,
+          (geometry.direction + step[3] * level + step[4] * upward).normalized()};
+}
+
+// The priors of the upright model as residuals in standard deviations: lean about x and y, slope.
+Vector3d PriorResiduals(const TwoViewGeometry& geometry, const TwoViewOptions& options) {
+  const Vector3d lean = geometry.a_from_b.col(2);
+  const double tilt = std::sqrt(2.0) * DegToRad(options.tilt_sigma_deg);
+  return {lean.x() / tilt, lean.y() / tilt,
+          geometry.direction.z() / DegToRad(options.climb_sigma_deg)};
+}
+
+// One Gauss–Newton step of the reweighted least squares over the matches that agree.
+TwoViewGeometry RefineOnce(const TwoViewGeometry& geometry, std::span<const RayPair> matches,
+                           double bound_rad, const TwoViewOptions& options, bool has_priors) {
+  constexpr double kStep = 1e-6;
+  const double scale = bound_rad / 3;
+  std::array<TwoViewGeometry, 5> moved;
+  for (int k = 0; k < 5; ++k) {
+    moved[static_cast<size_t>(k)] = Moved(geometry, kStep * Eigen::Matrix<double, 5, 1>::Unit(k));
+  }
+  Eigen::Matrix<double, 5, 5> normal = 1e-9 * Eigen::Matrix<double, 5, 5>::Identity();
+  Eigen::Matrix<double, 5, 1> gradient = Eigen::Matrix<double, 5, 1>::Zero();
+  const auto add = [&](double residual, const Eigen::Matrix<double, 5, 1>& row, double weight) {
+    normal += weight * row * row.transpose();
+    gradient += weight * residual * row;
+  };
+  for (const RayPair& rays : matches) {
+    if (!Agrees(geometry, rays, bound_rad)) continue;
+    const double residual = EpipolarError(geometry, rays.first, rays.second) / scale;
+    Eigen::Matrix<double, 5, 1> row;
+    for (int k = 0; k < 5; ++k) {
+      const double at = EpipolarError(moved[static_cast<size_t>(k)], rays.first, rays.second);
+      row[k] = (at / scale - residual) / kStep;
+    }
+    add(residual, row, rays.weight / (1 + residual * residual));
+  }
+  if (has_priors) {
+    const Vector3d prior = PriorResiduals(geometry, options);
+    for (int i = 0; i < 3; ++i) {
+      Eigen::Matrix<double, 5, 1> row;
+      for (int k = 0; k < 5; ++k) {
+        row[k] = (PriorResiduals(moved[static_cast<size_t>(k)], options)[i] - prior[i]) / kStep;
+      }
+      add(prior[i], row, 1);
+    }
+  }
+  const Eigen::Matrix<double, 5, 1> step = -normal.ldlt().solve(gradient);
+  const double limit = std::min(1.0, 0.1 / std::max(1e-12, step.norm()));
+  return Moved(geometry, limit * step);
+}
+
+TwoViewGeometry Refine(TwoViewGeometry geometry, std::span<const RayPair> matches,
+                       const TwoViewOptions& options, bool has_priors) {
+  const double inlier_rad = DegToRad(options.inlier_deg);
+  for (int i = 0; i < kRefinements; ++i) {
+    // Candidates of the grid are off by up to half a step, so the first rounds look wider.
+    const double bound_rad = i < 3 ? 2 * inlier_rad : inlier_rad;
+    geometry = RefineOnce(geometry, matches, bound_rad, options, has_priors);
+  }
+  return geometry;
+}
+
+// Share of mismatched rays that agree nevertheless: the k-th match's ray in a with others' in b.
+double ChanceOfOne(const TwoViewGeometry& geometry, std::span<const RayPair> matches,
+                   double bound_rad) {
+  const size_t n = matches.size();
+  double agreeing = 1, total = 2;
+  for (size_t s = 1; s <= kShifts; ++s) {
+    const size_t shift = s * n / (kShifts + 1) + 1;
+    for (size_t i = 0; i < n; ++i) {
+      agreeing +=
+          Agrees(geometry, {matches[i].first, matches[(i + shift) % n].second, 1}, bound_rad);
+      total += 1;
+    }
+  }
+  return agreeing / total;
+}
+
+// log10 of P(at least k of n) for independent events of probability p (the first term of
+// Hoeffding's bound), times the number of hypotheses that were tried.
+double Log10Chance(double k, double n, double p) {
+  constexpr double kLog10Hypotheses = 4.8;  // 360 yaws · 180 directions
+  if (k <= n * p) return kLog10Hypotheses;
+  const double q = k / n;
+  double divergence = q * std::log(q / p);
+  if (q < 1) divergence += (1 - q) * std::log((1 - q) / (1 - p));
+  return kLog10Hypotheses - n * divergence / std::log(10.0);
+}
+
+// The yaw about which most matches agree without any parallax, and how many do.
+std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
+  std::pair<Matrix3d, double> best{Matrix3d::Identity(), 0};
+  for (const RayPair& seed : matches) {
+    const double yaw =
+        std::atan2(seed.first.y(), seed.first.x()) - std::atan2(seed.second.y(), seed.second.x());
+    const Matrix3d rotation = Eigen::AngleAxisd(yaw, Vector3d::UnitZ()).toRotationMatrix();
+    double count = 0;
+    for (const RayPair& rays : matches) {
+      count += (rays.first - rotation * rays.second).norm() < kSamePlace_rad;
+    }
+    if (count > best.second) best = {rotation, count};
+  }
+  return best;
+}
+
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct Judged {
+  TwoViewGeometry geometry;
+  double score = 0;
+};
+
+Judged BestUpright(std::span<const RayPair> matches, const TwoViewOptions& options) {
+  std::vector<UprightVote> votes;
+  for (const RayPair& rays : matches) votes.push_back({rays.first, rays.second, rays.weight});
+  Judged best;
+  for (const TwoViewGeometry& candidate : VoteUpright(votes)) {
+    const TwoViewGeometry refined = Refine(candidate, matches, options, true);
+    const double score = Score(refined, matches, DegToRad(options.inlier_deg));
+    if (score > best.score) best = {refined, score};
+  }
+  return best;
+}
+
+}  // namespace
+
+double EpipolarError(const TwoViewGeometry& geometry, const Vector3d& ray_a,
+                     const Vector3d& ray_b) {
+  const Vector3d b = geometry.a_from_b * ray_b;
+  const Vector3d normal_a = geometry.direction.cross(ray_a);
+  const Vector3d normal_b = geometry.direction.cross(b);
+  const double scale = std::sqrt(normal_a.squaredNorm() + normal_b.squaredNorm());
+  return normal_a.dot(b) / std::max(scale, 1e-9);
+}
+
+PairDepths TriangulateDepths(const TwoViewGeometry& geometry, const Vector3d& ray_a,
+                             const Vector3d& ray_b) {
+  const Vector3d b = geometry.a_from_b * ray_b;
+  const double cosine = ray_a.dot(b);
+  const double sine2 = ray_a.cross(b).squaredNorm();
+  if (sine2 < 1e-14) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, kInfinity};
+  }
+  const double along_a = geometry.direction.dot(ray_a), along_b = geometry.direction.dot(b);
+  return {(along_a - along_b * cosine) / sine2, (along_a * cosine - along_b) / sine2};
+}
+
+PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
+                      std::span<const Vector3d> level_rays_b, std::span<const FeatureMatch> matches,
+                      const TwoViewOptions& options) {
+  PanoPair pair;
+  pair.num_matches = static_cast<int>(matches.size());
+  if (pair.num_matches < kMinMatches) return pair;
+  std::vector<RayPair> rays;
+  for (const FeatureMatch& match : matches) {
+    rays.push_back({level_rays_a[static_cast<size_t>(match.a_idx)],
+                    level_rays_b[static_cast<size_t>(match.b_idx)], 1});
+  }
+  ShareWeights(rays);
+  const double bound_rad = DegToRad(options.inlier_deg);
+  const Judged best = BestUpright(rays, options);
+  double num_spots = 0;
+  for (const RayPair& pair_of_rays : rays) num_spots += pair_of_rays.weight;
+  const double chance = ChanceOfOne(best.geometry, rays, bound_rad);
+  pair.a_from_b = best.geometry.a_from_b;
+  pair.direction = best.geometry.direction;
+  pair.log10_chance = Log10Chance(best.score, num_spots, chance);
+  std::vector<double> parallaxes;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (!Agrees(best.geometry, rays[i], bound_rad)) continue;
+    pair.inliers.push_back(matches[i]);
+    parallaxes.push_back(Parallax(best.geometry, rays[i]));
+  }
+  pair.parallax_rad = Median(parallaxes);
+  const auto [rotation, num_turned] = BestRotation(rays);
+  const double num_inliers = static_cast<double>(pair.inliers.size());
+  if (num_turned >= options.min_inliers && num_turned >= kSamePlaceShare * num_inliers) {
+    pair.verdict = PairVerdict::kSamePlace;
+    pair.a_from_b = rotation;
+  } else if (num_inliers < options.min_inliers) {
+    pair.verdict = PairVerdict::kFewMatches;
+  } else {
+    pair.verdict = pair.log10_chance <= options.max_log10_chance ? PairVerdict::kAccepted
+                                                                 : PairVerdict::kChance;
+  }
+  return pair;
+}
+
+}  // namespace enfilade
