@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/sfm/pair_length.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "enfilade/geometry/angles.h"
+#include "enfilade/sfm/two_view.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRaySigma_rad = DegToRad(0.2);
+constexpr double kMinParallax_rad = DegToRad(1);
+constexpr double kMinElevation_rad = DegToRad(4);
+constexpr double kMinSigma = 0.03;  // floors are not that level, cameras not that equally high
+constexpr double kMaxSigma = 0.25;
+// A point that would lie beyond its plane counts this much against a length.
+constexpr double kBeyondCost = 0.7;
+constexpr double kMinScore = 2.5;
+// Lengths that are tried: 2 cm to 30 m for cameras at 1.5 m, in steps of 1 %.
+const double kMinLogLength = std::log(0.013), kMaxLogLength = std::log(20.0);
+constexpr double kLogStep = 0.01;
+// Ceilings that are tried: 0.3 m above the cameras to 3 m.
+constexpr double kMinCeiling = 0.2, kMaxCeiling = 2.2;
+
+struct ScoredLength {
+  double log_length = 0;
+  double score = 0;
+};
+
+double ScoreOf(std::span<const LengthVote> votes, double log_ceiling, bool has_ceiling,
+               double log_length) {
+  double score = 0;
+  for (const LengthVote& vote : votes) {
+    if (vote.is_above && !has_ceiling) continue;
+    const double at = vote.log_length + (vote.is_above ? log_ceiling : 0);
+    const double x = (log_length - at) / vote.sigma;
+    score += std::exp(-0.5 * x * x);
+    score -= kBeyondCost * std::clamp((x - 2) / 2, 0.0, 1.0);
+  }
+  return score;
+}
+
+ScoredLength BestLength(std::span<const LengthVote> votes, double ceiling) {
+  const bool has_ceiling = ceiling > 0;
+  const double log_ceiling = has_ceiling ? std::log(ceiling) : 0;
+  ScoredLength best;
+  for (double at = kMinLogLength; at < kMaxLogLength; at += kLogStep) {
+    const double score = ScoreOf(votes, log_ceiling, has_ceiling, at);
+    if (score > best.score) best = {at, score};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<LengthVote> CollectLengthVotes(const PanoPair& pair,
+                                           std::span<const Vector3d> level_rays_a,
+                                           std::span<const Vector3d> level_rays_b) {
+  std::vector<LengthVote> votes;
+  const TwoViewGeometry geometry{pair.a_from_b, pair.direction};
+  for (const FeatureMatch& match : pair.inliers) {
+    const Vector3d& a = level_rays_a[static_cast<size_t>(match.a_idx)];
+    const Vector3d& b = level_rays_b[static_cast<size_t>(match.b_idx)];
+    const double parallax = std::asin(std::min(1.0, a.cross(geometry.a_from_b * b).norm()));
+    const PairDepths depths = TriangulateDepths(geometry, a, b);
+    const bool is_steep = std::abs(a.z()) > std::sin(kMinElevation_rad);
+    if (parallax < kMinParallax_rad || !is_steep || depths.a <= 0 || depths.b <= 0) continue;
+    const double height = depths.a * a.z();
+    const double sigma = kRaySigma_rad * std::hypot(depths.b / std::sin(parallax),
+                                                    1 / std::tan(std::asin(std::abs(a.z()))));
+    if (sigma > kMaxSigma) continue;
+    votes.push_back({-std::log(std::abs(height)), std::max(sigma, kMinSigma), height > 0});
+  }
+  return votes;
+}
+
+double FindCeiling(std::span<const std::vector<LengthVote>> votes_of_pairs) {
+  bool has_above = false;
+  for (const auto& votes : votes_of_pairs) {
+    for (const LengthVote& vote : votes) has_above = has_above || vote.is_above;
+  }
+  if (!has_above) return 0;
+  double best = 0, best_total = -1;
+  for (double ceiling = kMinCeiling; ceiling < kMaxCeiling; ceiling *= 1 + kLogStep) {
+    double total = 0;
+    for (const auto& votes : votes_of_pairs) total += BestLength(votes, ceiling).score;
+    if (total > best_total) {
+      best_total = total;
+      best = ceiling;
+    }
+  }
+  return best;
+}
+
+void SetLength(std::span<const LengthVote> votes, double ceiling, PanoPair& pair) {
+  const ScoredLength best = BestLength(votes, ceiling);
+  pair.length = 0;
+  if (best.score < kMinScore) return;
+  double information = 0;
+  for (const LengthVote& vote : votes) {
+    if (vote.is_above && ceiling <= 0) continue;
+    const double at = vote.log_length + (vote.is_above ? std::log(ceiling) : 0);
+    const double x = (best.log_length - at) / vote.sigma;
+    information += std::exp(-0.5 * x * x) / (vote.sigma * vote.sigma);
+  }
+  pair.length = std::exp(best.log_length);
+  pair.length_sigma = std::max(kMinSigma, 1 / std::sqrt(information));
+}
+
+}  // namespace enfilade
