@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "enfilade/base/options.h"
+#include "enfilade/base/run_context.h"
+#include "enfilade/geometry/rigid3.h"
+#include "enfilade/sfm/bundle_adjustment.h"
+#include "enfilade/sfm/descriptor_matcher.h"
+#include "enfilade/sfm/tracks.h"
+#include "enfilade/sfm/two_view.h"
+#include "enfilade/sfm/types.h"
+
+namespace enfilade {
+
+struct RegisterOptions {
+  DescriptorMatchOptions match;
+  TwoViewOptions two_view;
+  BundleOptions bundle;
+
+  void Visit(OptionVisitor& v) {
+    v("match", match, "Matches between two panoramas.");
+    v("two_view", two_view, "Pairs of panoramas.");
+    v("bundle", bundle, "Refinement of all poses together.");
+  }
+};
+
+/// Panoramas placed by their pictures. Units are camera heights: the floor is z = 0 and the cameras
+/// stand about 1 above it.
+struct Registration {
+  std::vector<Rigid3> world_from_cam;  ///< one a view; each component in a frame of its own
+  std::vector<int> component_idx;      ///< one a view, the largest component is 0
+  std::vector<PanoPair> pairs;         ///< all that were matched, with what became of them
+  std::vector<Track> tracks;           ///< refined points
+  std::vector<double> ceilings;        ///< heights of level ceilings that points show
+  double ray_error_rad = 0;            ///< root mean square over the tracks
+};
+
+/// Places panoramas from their features: matching, pairs on the sphere (EstimatePair), rotations
+/// (AverageYaws), lengths from floor, ceiling and shared features, positions, points, and rounds of
+/// bundle adjustment with ever stricter bounds, in which points are found anew each time. Views
+/// that nothing ties to others are components of their own.
+[[nodiscard]] Registration RegisterFeatures(std::span<const PanoFeatures> features,
+                                            std::span<const Gravity> gravity,
+                                            const RegisterOptions& options, RunContext& context);
+
+}  // namespace enfilade

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/sfm/bundle_adjustment.h"
+
+#include <ceres/ceres.h>
+#include <ceres/rotation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "enfilade/geometry/angles.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Points this many standard deviations from a level plane may belong to it.
+constexpr double kPlaneReach = 5;
+constexpr double kFixedSigma = 1e-5;
+
+// A camera while it is refined: rotation vector of world_from_cam, position.
+using CameraBlock = std::array<double, 6>;
+
+CameraBlock ToBlock(const Rigid3& pose) {
+  CameraBlock block{};
+  ceres::RotationMatrixToAngleAxis(pose.rotation.data(), block.data());
+  for (int k = 0; k < 3; ++k) block[static_cast<size_t>(3 + k)] = pose.translation[k];
+  return block;
+}
+
+Rigid3 ToPose(const CameraBlock& block) {
+  Rigid3 pose;
+  ceres::AngleAxisToRotationMatrix(block.data(), pose.rotation.data());
+  pose.translation = Vector3d(block[3], block[4], block[5]);
+  return pose;
+}
+
+// Angle between the observed ray and the direction to the point, on two axes across the ray.
+struct RayResidual {
+  RayResidual(const Vector3d& ray_in_cam, double sigma_rad) {
+    Vector3d helper = Vector3d::UnitX();
+    if (std::abs(ray_in_cam.x()) > 0.7) helper = Vector3d::UnitY();
+    const Vector3d u = ray_in_cam.cross(helper).normalized();
+    across.row(0) = u.transpose() / sigma_rad;
+    across.row(1) = ray_in_cam.cross(u).transpose() / sigma_rad;
+  }
+  template <typename T>
+  bool operator()(const T* camera, const T* point, T* residual) const {
+    const T offset[3] = {point[0] - camera[3], point[1] - camera[4], point[2] - camera[5]};
+    const T inverse[3] = {-camera[0], -camera[1], -camera[2]};
+    T in_cam[3];
+    ceres::AngleAxisRotatePoint(inverse, offset, in_cam);
+    const T norm = sqrt(in_cam[0] * in_cam[0] + in_cam[1] * in_cam[1] + in_cam[2] * in_cam[2]);
+    for (int r = 0; r < 2; ++r) {
+      residual[r] =
+          (across(r, 0) * in_cam[0] + across(r, 1) * in_cam[1] + across(r, 2) * in_cam[2]) / norm;
+    }
+    return true;
+  }
+  Eigen::Matrix<double, 2, 3> across;
+};
+
+// How far the camera's vertical leans from the world's.
+struct VerticalResidual {
+  Vector3d up_in_cam;
+  double sigma_rad;
+  template <typename T>
+  bool operator()(const T* camera, T* residual) const {
+    const T up[3] = {T(up_in_cam.x()), T(up_in_cam.y()), T(up_in_cam.z())};
+    T up_in_world[3];
+    ceres::AngleAxisRotatePoint(camera, up, up_in_world);
+    residual[0] = up_in_world[0] / sigma_rad;
+    residual[1] = up_in_world[1] / sigma_rad;
+    return true;
+  }
+};
+
+struct HeightResidual {
+  double sigma;
+  template <typename T>
+  bool operator()(const T* camera, T* residual) const {
+    residual[0] = (camera[5] - 1.0) / sigma;
+    return true;
+  }
+};
+
+// Holds place and yaw of one camera.
+struct AnchorResidual {
+  CameraBlock at;
+  Vector3d forward_in_cam, left_in_world;
+  template <typename T>
+  bool operator()(const T* camera, T* residual) const {
+    const T forward[3] = {T(forward_in_cam.x()), T(forward_in_cam.y()), T(forward_in_cam.z())};
+    T in_world[3];
+    ceres::AngleAxisRotatePoint(camera, forward, in_world);
+    residual[0] = (camera[3] - at[3]) / kFixedSigma;
+    residual[1] = (camera[4] - at[4]) / kFixedSigma;
+    residual[2] = (in_world[0] * left_in_world.x() + in_world[1] * left_in_world.y()) / kFixedSigma;
+    return true;
+  }
+};
+
+struct FloorResidual {
+  double floor, sigma;
+  template <typename T>
+  bool operator()(const T* point, T* residual) const {
+    residual[0] = (point[2] - floor) / sigma;
+    return true;
+  }
+};
+
+struct CeilingResidual {
+  double sigma;
+  template <typename T>
+  bool operator()(const T* point, const T* ceiling, T* residual) const {
+    residual[0] = (point[2] - ceiling[0]) / sigma;
+    return true;
+  }
+};
+
+class Bundle {
+ public:
+  Bundle(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+         const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
+         std::vector<Track>& tracks, LevelPlanes& planes)
+      : features_(features),
+        gravity_(gravity),
+        options_(options),
+        world_from_cam_(world_from_cam),
+        tracks_(tracks),
+        planes_(planes) {
+    for (const Rigid3& pose : world_from_cam) blocks_.push_back(ToBlock(pose));
+    is_used_.resize(world_from_cam.size(), false);
+  }
+
+  double Solve() {
+    AddRays();
+    AddCameraPriors();
+    AddPlanes();
+    ceres::Solver::Options solver;
+    constexpr int kMaxDenseCameras = 120;
+    solver.linear_solver_type =
+        blocks_.size() > kMaxDenseCameras ? ceres::SPARSE_SCHUR : ceres::DENSE_SCHUR;
+    solver.max_num_iterations = options_.max_iterations;
+    solver.num_threads = 1;  // sums of several threads differ in their last bits
+    solver.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    if (problem_.NumResidualBlocks() > 0) ceres::Solve(solver, &problem_, &summary);
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (is_used_[i]) world_from_cam_[i] = ToPose(blocks_[i]);
+    }
+    return RootMeanSquare();
+  }
+
+ private:
+  [[nodiscard]] Vector3d RayOf(const Observation& observation) const {
+    return features_[static_cast<size_t>(observation.view_idx)]
+        .rays[static_cast<size_t>(observation.feature_idx)]
+        .cast<double>();
+  }
+
+  void AddRays() {
+    const double sigma_rad = DegToRad(options_.ray_sigma_deg);
+    for (Track& track : tracks_) {
+      for (const Observation& observation : track.observations) {
+        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<RayResidual, 2, 6, 3>(
+                                      new RayResidual(RayOf(observation), sigma_rad)),
+                                  new ceres::CauchyLoss(2.0),
+                                  blocks_[static_cast<size_t>(observation.view_idx)].data(),
+                                  track.position.data());
+        is_used_[static_cast<size_t>(observation.view_idx)] = true;
+      }
+    }
+  }
+
+  void AddCameraPriors() {
+    bool is_anchored = false;
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (!is_used_[i]) continue;
+      problem_.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<VerticalResidual, 2, 6>(
+              new VerticalResidual{gravity_[i].up_in_cam, gravity_[i].sigma_rad}),
+          new ceres::CauchyLoss(2.0), blocks_[i].data());
+      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<HeightResidual, 1, 6>(
+                                    new HeightResidual{options_.camera_height_sigma}),
+                                new ceres::CauchyLoss(2.0), blocks_[i].data());
+      if (is_anchored) continue;
+      is_anchored = true;
+      const Rigid3& pose = world_from_cam_[i];
+      // Of the level axes the one that the camera's x or z is nearest to the horizon along.
+      const Vector3d forward = Vector3d::UnitX();
+      const Vector3d in_world = pose.rotation * forward;
+      const Vector3d left = Vector3d::UnitZ().cross(in_world).normalized();
+      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<AnchorResidual, 3, 6>(
+                                    new AnchorResidual{blocks_[i], forward, left}),
+                                nullptr, blocks_[i].data());
+    }
+  }
+
+  void AddPlanes() {
+    const double reach = kPlaneReach * options_.plane_sigma;
+    for (Track& track : tracks_) {
+      if (std::abs(track.position.z() - planes_.floor) < reach) {
+        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<FloorResidual, 1, 3>(
+                                      new FloorResidual{planes_.floor, options_.plane_sigma}),
+                                  new ceres::CauchyLoss(1.0), track.position.data());
+      }
+      for (double& ceiling : planes_.ceilings) {
+        if (std::abs(track.position.z() - ceiling) >= reach) continue;
+        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<CeilingResidual, 1, 3, 1>(
+                                      new CeilingResidual{options_.plane_sigma}),
+                                  new ceres::CauchyLoss(1.0), track.position.data(), &ceiling);
+        break;
+      }
+    }
+  }
+
+  [[nodiscard]] double RootMeanSquare() const {
+    double sum = 0, count = 0;
+    for (const Track& track : tracks_) {
+      for (const Observation& observation : track.observations) {
+        const Rigid3& pose = world_from_cam_[static_cast<size_t>(observation.view_idx)];
+        const Vector3d to_point = pose.rotation.transpose() * (track.position - pose.translation);
+        sum += RayOf(observation).cross(to_point.normalized()).squaredNorm();
+        count += 1;
+      }
+    }
+    return count > 0 ? std::sqrt(sum / count) : 0;
+  }
+
+  std::span<const PanoFeatures> features_;
+  std::span<const Gravity> gravity_;
+  const BundleOptions& options_;
+  std::vector<Rigid3>& world_from_cam_;
+  std::vector<Track>& tracks_;
+  LevelPlanes& planes_;
+  std::vector<CameraBlock> blocks_;
+  std::vector<bool> is_used_;
+  ceres::Problem problem_;
+};
+
+}  // namespace
+
+double AdjustBundle(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                    const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
+                    std::vector<Track>& tracks, LevelPlanes& planes) {
+  return Bundle(features, gravity, options, world_from_cam, tracks, planes).Solve();
+}
+
+}  // namespace enfilade

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/sfm/register.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "enfilade/geometry/angles.h"
+#include "enfilade/sfm/gravity.h"
+#include "enfilade/sfm/pair_length.h"
+#include "enfilade/sfm/positions.h"
+#include "enfilade/sfm/view_graph.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector3d;
+using LevelRays = std::vector<std::vector<Vector3d>>;
+
+LevelRays TurnLevel(std::span<const PanoFeatures> features, std::span<const Gravity> gravity) {
+  LevelRays level(features.size());
+  for (size_t i = 0; i < features.size(); ++i) {
+    const Eigen::Matrix3d level_from_cam = LevelFromCam(gravity[i]);
+    for (const Eigen::Vector3f& ray : features[i].rays) {
+      level[i].push_back(level_from_cam * ray.cast<double>());
+    }
+  }
+  return level;
+}
+
+std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features, const LevelRays& level,
+                                 const RegisterOptions& options, RunContext& context) {
+  std::vector<PanoPair> pairs;
+  const int num_views = static_cast<int>(features.size());
+  for (int a = 0; a < num_views; ++a) {
+    for (int b = a + 1; b < num_views; ++b) {
+      pairs.emplace_back();
+      pairs.back().a_idx = a;
+      pairs.back().b_idx = b;
+    }
+  }
+  ParallelFor(context, "match pairs", static_cast<int64_t>(pairs.size()), [&](int64_t k) {
+    PanoPair& pair = pairs[static_cast<size_t>(k)];
+    const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
+    const std::vector<FeatureMatch> matches =
+        MatchDescriptors(features[a].descriptors, features[b].descriptors, options.match);
+    pair = EstimatePair(level[a], level[b], matches, options.two_view);
+    pair.a_idx = static_cast<int>(a);
+    pair.b_idx = static_cast<int>(b);
+  });
+  return pairs;
+}
+
+// Lengths from floor and ceiling, then made to agree with each other.
+void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
+  std::vector<std::vector<LengthVote>> votes(pairs.size());
+  for (size_t k = 0; k < pairs.size(); ++k) {
+    if (pairs[k].verdict != PairVerdict::kAccepted) continue;
+    votes[k] = CollectLengthVotes(pairs[k], level[static_cast<size_t>(pairs[k].a_idx)],
+                                  level[static_cast<size_t>(pairs[k].b_idx)]);
+  }
+  const double ceiling = FindCeiling(votes);
+  for (size_t k = 0; k < pairs.size(); ++k) SetLength(votes[k], ceiling, pairs[k]);
+  SolveLengths(CollectLengthRatios(pairs, level), pairs);
+}
+
+// Heights at which many points lie above the cameras.
+std::vector<double> FindCeilings(std::span<const Track> tracks) {
+  constexpr double kBin = 0.01, kLowest = 1.2, kHighest = 3.5;
+  constexpr int kReach = 2;
+  constexpr double kMinPoints = 8;
+  constexpr int kApart = 8;
+  const int num_bins = static_cast<int>((kHighest - kLowest) / kBin);
+  std::vector<double> counts(static_cast<size_t>(num_bins), 0);
+  for (const Track& track : tracks) {
+    const int center = static_cast<int>(std::floor((track.position.z() - kLowest) / kBin));
+    for (int i = std::max(0, center - kReach); i <= std::min(num_bins - 1, center + kReach); ++i) {
+      counts[static_cast<size_t>(i)] += 1;
+    }
+  }
+  std::vector<double> ceilings;
+  while (true) {
+    const auto peak = std::max_element(counts.begin(), counts.end());
+    if (peak == counts.end() || *peak < kMinPoints) break;
+    const int at = static_cast<int>(peak - counts.begin());
+    ceilings.push_back(kLowest + (at + 0.5) * kBin);
+    for (int i = std::max(0, at - kApart); i <= std::min(num_bins - 1, at + kApart); ++i) {
+      counts[static_cast<size_t>(i)] = 0;
+    }
+  }
+  return ceilings;
+}
+
+std::vector<Track> Triangulate(std::vector<Track> tracks, std::span<const Rigid3> poses,
+                               std::span<const PanoFeatures> features, double max_error_deg) {
+  const TriangulationBounds bounds{.max_error_rad = DegToRad(max_error_deg)};
+  std::erase_if(tracks,
+                [&](Track& track) { return !TriangulateTrack(poses, features, bounds, track); });
+  return tracks;
+}
+
+// The tracks of one component.
+std::vector<Track> TracksOf(int component, std::span<const int> component_idx,
+                            std::span<const Track> tracks) {
+  std::vector<Track> chosen;
+  for (const Track& track : tracks) {
+    const size_t view = static_cast<size_t>(track.observations.front().view_idx);
+    if (component_idx[view] == component) chosen.push_back(track);
+  }
+  return chosen;
+}
+
+void Refine(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+            const RegisterOptions& options, RunContext& context, Registration& registration) {
+  constexpr std::array<double, 4> kMaxErrors_deg = {2.0, 1.0, 0.5, 0.3};
+  const std::vector<Track> chains = BuildTracks(registration.pairs, features);
+  const int num_components =
+      1 + *std::max_element(registration.component_idx.begin(), registration.component_idx.end());
+  for (int component = 0; component < num_components; ++component) {
+    const std::vector<Track> own = TracksOf(component, registration.component_idx, chains);
+    std::vector<Track> tracks;
+    LevelPlanes planes;
+    for (const double max_error_deg : kMaxErrors_deg) {
+      context.CheckStop();
+      tracks = Triangulate(own, registration.world_from_cam, features, max_error_deg);
+      planes.ceilings = FindCeilings(tracks);
+      registration.ray_error_rad = AdjustBundle(features, gravity, options.bundle,
+                                                registration.world_from_cam, tracks, planes);
+    }
+    registration.tracks.insert(registration.tracks.end(), tracks.begin(), tracks.end());
+    if (component == 0) registration.ceilings = planes.ceilings;
+  }
+}
+
+}  // namespace
+
+Registration RegisterFeatures(std::span<const PanoFeatures> features,
+                              std::span<const Gravity> gravity, const RegisterOptions& options,
+                              RunContext& context) {
+  const int num_views = static_cast<int>(features.size());
+  const LevelRays level = TurnLevel(features, gravity);
+  Registration registration;
+  registration.pairs = MatchPairs(features, level, options, context);
+  const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
+  FindLengths(level, registration.pairs);
+  const std::vector<Eigen::Vector2d> positions = SolvePositions(yaws, registration.pairs);
+  registration.component_idx = FindComponents(num_views, registration.pairs);
+  for (size_t i = 0; i < features.size(); ++i) {
+    registration.world_from_cam.push_back(
+        {RotationZ(yaws[i]) * LevelFromCam(gravity[i]), {positions[i].x(), positions[i].y(), 1}});
+  }
+  Refine(features, gravity, options, context, registration);
+  return registration;
+}
+
+}  // namespace enfilade
