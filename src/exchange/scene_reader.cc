@@ -35,20 +35,12 @@ std::string NameSome(const std::vector<std::string>& names) {
   return text;
 }
 
-PoseFile FindAndReadPoses(const fs::path& folder, const SceneReadOptions& options) {
-  const bool is_none = options.poses == "none";
-  const std::optional<PoseLocation> location = is_none ? std::nullopt
-                                               : options.poses.empty()
-                                                   ? FindPoses(folder)
-                                                   : std::optional(LocatePoses(options.poses));
-  if (!location) {
-    throw InvalidInputError(folder.native(),
-                            is_none
-                                ? "poses from the pictures alone are not supported yet"
-                                : "has no poses, and finding them from the pictures alone is not "
-                                  "supported yet",
-                            "give transforms.json, a COLMAP model, poses.csv or zind_data.json");
-  }
+// The poses that the user names or that lie beside the pictures; none for pictures alone.
+std::optional<PoseFile> FindAndReadPoses(const fs::path& folder, const SceneReadOptions& options) {
+  if (options.poses == "none") return std::nullopt;
+  const std::optional<PoseLocation> location =
+      options.poses.empty() ? FindPoses(folder) : std::optional(LocatePoses(options.poses));
+  if (!location) return std::nullopt;
   return ReadPoseFile(*location, options.camera_height_m);
 }
 
@@ -259,12 +251,41 @@ void ReportUnposed(const PictureFiles& files, const std::vector<fs::path>& posed
                                         unposed.size(), NameSome(unposed)));
 }
 
-}  // namespace
+// Panoramas without poses. Pictures that are no whole panoramas are left out, as such folders hold
+// previews and photographs too.
+SceneReadReport ReadPicturesAlone(const fs::path& folder, const PictureFiles& files,
+                                  const SceneReadOptions& options, RunContext& context) {
+  SceneReadReport report;
+  PoseFile none{.path = folder, .base = folder, .source = PoseSource::kEstimated};
+  std::vector<fs::path> paths;
+  for (const fs::path& path : files.all()) {
+    const ImageSize size = ReadImageSize(path);
+    if (std::abs(size.width - 2 * size.height) > 1) {
+      report.warnings.push_back(fmt::format(
+          "{} is {} x {} pixels, not twice as wide as high: no whole panorama, left out",
+          PrintablePath(path.filename()), size.width, size.height));
+      continue;
+    }
+    paths.push_back(path);
+    none.pictures.push_back({});
+    none.pictures.back().name = path.filename().native();
+  }
+  report.num_pictures_found = static_cast<int>(files.all().size());
+  if (paths.empty()) {
+    throw InvalidInputError(folder.native(),
+                            files.all().empty() ? "has no pictures" : "has no whole panoramas",
+                            "give equirectangular panoramas (.jpg, .png), twice as wide as high");
+  }
+  report.scene.pose_source = PoseSource::kEstimated;
+  report.scene.scale_source = ScaleSource::kAssumed;
+  if (options.camera_height_m > 0) report.scene.camera_height_m = options.camera_height_m;
+  static_cast<void>(KeepOneOfEach(MakeViews(none, paths, context), report));
+  AttachMasks(options, report.scene.views);
+  return report;
+}
 
-SceneReadReport ReadScene(const fs::path& folder, const SceneReadOptions& options,
-                          RunContext& context) {
-  const PictureFiles files(folder);
-  PoseFile poses = FindAndReadPoses(folder, options);
+SceneReadReport ReadWithPoses(const PictureFiles& files, PoseFile poses,
+                              const SceneReadOptions& options, RunContext& context) {
   TurnUpright(poses);
   const std::vector<fs::path> paths = LocatePictures(poses, files);
 
@@ -283,6 +304,17 @@ SceneReadReport ReadScene(const fs::path& folder, const SceneReadOptions& option
   if (poses.source != PoseSource::kZind) SplitStoreys(report.scene.views);
   AttachMasks(options, report.scene.views);
   ReportUnposed(files, paths, report);
+  return report;
+}
+
+}  // namespace
+
+SceneReadReport ReadScene(const fs::path& folder, const SceneReadOptions& options,
+                          RunContext& context) {
+  const PictureFiles files(folder);
+  std::optional<PoseFile> poses = FindAndReadPoses(folder, options);
+  SceneReadReport report = poses ? ReadWithPoses(files, std::move(*poses), options, context)
+                                 : ReadPicturesAlone(folder, files, options, context);
   for (const std::string& warning : report.warnings) context.log().Warning(warning);
   return report;
 }

@@ -29,6 +29,26 @@ using Json = nlohmann::json;
 
 StageResult NoResult(const std::string& reason) { return {StageOutcome::kNoResult, reason}; }
 
+// Poses cost minutes, but where pictures and masks lie is no part of their key: a scene that stands
+// is written again with the paths of now.
+StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmOptions& options,
+                       RunContext& context) {
+  Scene scene = read;
+  if (scene.pose_source == PoseSource::kEstimated) {
+    if (std::filesystem::exists(workspace.scene_file())) {
+      scene = ReadSceneJson(workspace.scene_file());
+      for (size_t i = 0; i < scene.views.size(); ++i) {
+        scene.views[i].path = read.views[i].path;
+        scene.views[i].mask_path = read.views[i].mask_path;
+      }
+    } else {
+      const PlaceReport report = PlacePanoramas(options.placing, context, scene);
+    }
+  }
+  WriteSceneJson(workspace.scene_file(), scene);
+  return {};
+}
+
 StageResult FindStructure(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
   const Scene scene = ReadSceneWithPictures(workspace);
@@ -99,9 +119,8 @@ std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
       return body(workspace, options, context);
     };
   };
-  const auto store_scene = [&workspace, scene](RunContext&) {
-    WriteSceneJson(workspace.scene_file(), *scene);
-    return StageResult{};
+  const auto store_scene = [&workspace, scene, &options](RunContext& context) {
+    return StoreScene(workspace, *scene, options.sfm, context);
   };
   return {
       {"sfm",

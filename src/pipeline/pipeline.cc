@@ -77,7 +77,7 @@ StageResult RunPipeline(const fs::path& input, const Workspace& workspace,
                         const PipelineOptions& options, std::string_view last_stage,
                         RunContext& context) {
   const size_t num_stages = StageIndex(last_stage) + 1;
-  SceneReadReport read = ReadScene(input, options.sfm, context);
+  SceneReadReport read = ReadScene(input, options.sfm.reading, context);
   RequireMemory(read.scene, context);
 
   const WorkspaceLock lock(workspace, WorkspaceUse::kCreate);

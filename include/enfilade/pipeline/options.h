@@ -9,9 +9,20 @@
 #include "enfilade/exchange/scene_reader.h"
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/model/texture.h"
+#include "enfilade/sfm/place_panoramas.h"
 #include "enfilade/structure/analyze.h"
 
 namespace enfilade {
+
+struct SfmOptions {
+  SceneReadOptions reading;
+  PlaceOptions placing;
+
+  void Visit(OptionVisitor& v) {
+    reading.Visit(v);
+    placing.Visit(v);
+  }
+};
 
 struct EvidenceOptions {
   AccumulateOptions grid;
@@ -32,7 +43,7 @@ struct ExportOptions {
 /// The options of every stage, in flow order, under the stages' names: what --config files hold,
 /// what --STAGE.NAME on the command line sets, and what the reference page lists.
 struct PipelineOptions {
-  SceneReadOptions sfm;
+  SfmOptions sfm;
   StructureOptions structure;
   EvidenceOptions evidence;
   FloorplanOptions floorplan;

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "enfilade/base/options.h"
+#include "enfilade/base/run_context.h"
+#include "enfilade/scene/stand_mask.h"
+#include "enfilade/scene/types.h"
+#include "enfilade/sfm/features.h"
+#include "enfilade/sfm/metric_scale.h"
+#include "enfilade/sfm/register.h"
+
+namespace enfilade {
+
+struct PlaceOptions {
+  FeatureOptions features;
+  RegisterOptions poses;
+  ScaleOptions scale;
+  StandOptions stand;
+
+  void Visit(OptionVisitor& v) {
+    v("features", features, "Features of the pictures.");
+    v("poses", poses, "Poses from features.");
+    v("scale", scale, "Metres.");
+    v("stand", stand, "The camera's stand.");
+  }
+};
+
+/// What PlacePanoramas has to say besides the scene.
+struct PlaceReport {
+  Registration registration;      ///< in camera heights
+  std::vector<int> num_features;  ///< one a view
+  MetricScale scale;
+  std::vector<std::string> warnings;  ///< whole sentences, also written to the log
+};
+
+/// Poses and points of a scene whose views have none (pose_source kEstimated), from their pictures
+/// alone: equirectangular panoramas of one home, in any order.
+///
+/// Fills world_from_cam, component_idx, storey_idx, points, scale_source and camera_height_m.
+/// World: metres, z up, floor at z = 0, walls along x and y where they can be told. What cannot be
+/// attached to the largest component becomes a further one in the same scale; each component is a
+/// storey of its own, since nothing says how it lies to the others, with its cameras' mean at the
+/// origin.
+///
+/// `scene.camera_height_m` sets the scale where given. Throws IoError and InvalidInputError for
+/// pictures that cannot be read, StoppedError. Cost: about two seconds a picture on one core, and
+/// the square of the number of pictures for matching.
+[[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options, RunContext& context,
+                                         Scene& scene);
+
+}  // namespace enfilade

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/sfm/place_panoramas.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "enfilade/base/check.h"
+#include "enfilade/image/codec.h"
+#include "enfilade/sfm/gravity.h"
+#include "src/sfm/component_heading.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector3d;
+using Rgb = Eigen::Matrix<uint8_t, 3, 1>;
+
+// What is kept of the pictures.
+struct Seen {
+  std::vector<PanoFeatures> features;
+  std::vector<std::vector<Rgb>> colours;  // of the features
+  std::vector<Gravity> gravity;
+  std::vector<std::vector<LineSegment>> segments;
+};
+
+std::vector<Rgb> ColoursOf(const PanoFeatures& features, const ImageU8& picture,
+                           const Camera& camera) {
+  std::vector<Rgb> colours;
+  for (const Eigen::Vector3f& ray : features.rays) {
+    const Eigen::Vector2d pixel = *camera.PixelFromRay(ray.cast<double>());
+    const int row = std::clamp(static_cast<int>(pixel.y()), 0, picture.rows() - 1);
+    const int col = std::clamp(static_cast<int>(pixel.x()), 0, picture.cols() - 1);
+    colours.emplace_back(picture(row, col, 0), picture(row, col, 1), picture(row, col, 2));
+  }
+  return colours;
+}
+
+Seen LookAtPictures(const Scene& scene, const PlaceOptions& options, RunContext& context) {
+  const size_t num_views = scene.views.size();
+  const Stand stand = FindStandOfScene(scene, options.stand, context);
+  Seen seen{std::vector<PanoFeatures>(num_views), std::vector<std::vector<Rgb>>(num_views),
+            std::vector<Gravity>(num_views), std::vector<std::vector<LineSegment>>(num_views)};
+  ParallelFor(context, "find features", static_cast<int64_t>(num_views), [&](int64_t k) {
+    const size_t i = static_cast<size_t>(k);
+    const View& view = scene.views[i];
+    const ImageU8 picture = ReadImageRgb(view.path);
+    const ImageU8 trusted = TrustedPixels(view, stand);
+    seen.features[i] = ExtractFeatures(picture, trusted, view.camera, options.features);
+    seen.colours[i] = ColoursOf(seen.features[i], picture, view.camera);
+    seen.segments[i] = FindLineSegments(picture, trusted, view.camera);
+    seen.gravity[i] = FindGravity(seen.segments[i], {0, -1, 0});
+  });
+  return seen;
+}
+
+// Turns and moves each component so that its walls run along x and y and its cameras' mean is the
+// origin. Returns world_from_component.
+std::vector<Rigid3> AlignComponents(const Seen& seen, const Registration& registration) {
+  const int num_components =
+      1 + *std::max_element(registration.component_idx.begin(), registration.component_idx.end());
+  std::vector<Rigid3> world_from_component;
+  for (int component = 0; component < num_components; ++component) {
+    std::vector<LevelLine> lines;
+    Vector3d sum = Vector3d::Zero();
+    double count = 0;
+    for (size_t i = 0; i < seen.features.size(); ++i) {
+      if (registration.component_idx[i] != component) continue;
+      const Rigid3& pose = registration.world_from_cam[i];
+      const std::vector<LevelLine> own = LevelLines(seen.segments[i], pose.rotation);
+      lines.insert(lines.end(), own.begin(), own.end());
+      sum += Vector3d(pose.translation.x(), pose.translation.y(), 0);
+      count += 1;
+    }
+    const Eigen::Matrix3d rotation = RotationZ(-FindHeading(lines));
+    world_from_component.push_back({rotation, -(rotation * (sum / count))});
+  }
+  return world_from_component;
+}
+
+void SetPoses(const Registration& registration, std::span<const Rigid3> world_from_component,
+              double camera_height_m, Scene& scene) {
+  for (size_t i = 0; i < scene.views.size(); ++i) {
+    View& view = scene.views[i];
+    view.component_idx = registration.component_idx[i];
+    view.storey_idx = view.component_idx;
+    view.world_from_cam = world_from_component[static_cast<size_t>(view.component_idx)] *
+                          registration.world_from_cam[i];
+    view.world_from_cam.translation *= camera_height_m;
+  }
+}
+
+void SetPoints(const Seen& seen, const Registration& registration,
+               std::span<const Rigid3> world_from_component, double camera_height_m, Scene& scene) {
+  scene.points.clear();
+  for (const Track& track : registration.tracks) {
+    const Observation& first = track.observations.front();
+    const int component = registration.component_idx[static_cast<size_t>(first.view_idx)];
+    ScenePoint point;
+    point.position =
+        camera_height_m * (world_from_component[static_cast<size_t>(component)] * track.position);
+    point.rgb =
+        seen.colours[static_cast<size_t>(first.view_idx)][static_cast<size_t>(first.feature_idx)];
+    for (const Observation& observation : track.observations) {
+      point.view_idx.push_back(observation.view_idx);
+    }
+    scene.points.push_back(std::move(point));
+  }
+}
+
+}  // namespace
+
+PlaceReport PlacePanoramas(const PlaceOptions& options, RunContext& context, Scene& scene) {
+  ENFILADE_CHECK(!scene.views.empty());
+  const Seen seen = LookAtPictures(scene, options, context);
+  PlaceReport report;
+  report.registration = RegisterFeatures(seen.features, seen.gravity, options.poses, context);
+  report.scale =
+      FindMetricScale(scene.camera_height_m, report.registration.ceilings, options.scale);
+  report.warnings = report.scale.warnings;
+  for (const PanoFeatures& features : seen.features) report.num_features.push_back(features.size());
+
+  const std::vector<Rigid3> world_from_component = AlignComponents(seen, report.registration);
+  const double camera_height_m = report.scale.camera_height_m;
+  SetPoses(report.registration, world_from_component, camera_height_m, scene);
+  SetPoints(seen, report.registration, world_from_component, camera_height_m, scene);
+  scene.scale_source = report.scale.source;
+  scene.camera_height_m = camera_height_m;
+  for (const std::string& warning : report.warnings) context.log().Warning(warning);
+  return report;
+}
+
+}  // namespace enfilade
