@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <system_error>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/json.h"
 #include "src/exchange/json_geometry.h"
+#include "src/exchange/relative_path.h"
 
 namespace enfilade {
 namespace {
@@ -59,15 +59,6 @@ fs::path PathFromText(const std::string& text, const std::string& where) {
     i += 2;
   }
   return bytes;
-}
-
-// Folders are resolved so that the way between them holds even through links; the picture itself
-// keeps its name.
-fs::path Relative(const fs::path& file, const fs::path& folder) {
-  if (file.empty()) return {};
-  const fs::path absolute = fs::absolute(file);
-  return (fs::weakly_canonical(absolute.parent_path()) / absolute.filename())
-      .lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
 }
 
 Json CameraToJson(const Camera& camera) {
@@ -125,14 +116,14 @@ Rigid3 MatrixFromJson(const Json& json, const std::string& where) {
 
 Json ViewToJson(const View& view, const fs::path& folder) {
   return {{"picture", view.picture},
-          {"path", PathToText(Relative(view.path, folder))},
+          {"path", PathToText(RelativePath(view.path, folder))},
           {"sha256", view.sha256},
           {"camera", CameraToJson(view.camera)},
           {"world_from_cam", MatrixToJson(view.world_from_cam)},
           {"storey", view.storey_idx},
           {"component", view.component_idx},
           {"inferred", view.is_pose_inferred},
-          {"mask", PathToText(Relative(view.mask_path, folder))}};
+          {"mask", PathToText(RelativePath(view.mask_path, folder))}};
 }
 
 int IndexFromJson(const Json& json, const char* key, const std::string& where) {
