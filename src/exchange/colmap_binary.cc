@@ -7,6 +7,7 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
+#include "src/exchange/colmap_camera.h"
 #include "src/exchange/colmap_model.h"
 
 namespace enfilade {
@@ -46,9 +47,11 @@ class BinaryFile {
     return text;
   }
 
-  void Skip(uint64_t count, uint64_t size) {
+  // A number of entries of `size` bytes each, for which the file must have room.
+  [[nodiscard]] size_t TakeCount(uint64_t size) {
+    const auto count = Take<uint64_t>();
     if (count > (bytes_.size() - position_) / size) Fail();
-    position_ += static_cast<size_t>(count * size);
+    return static_cast<size_t>(count);
   }
 
   void ExpectEnd() const {
@@ -97,24 +100,30 @@ void ReadImages(BinaryFile file, ColmapModel& model) {
     image.camera_id = file.Take<uint32_t>();
     image.name = file.TakeText();
     image.cam_from_world = MakeColmapPose(q, translation, image.name, file.where());
-    file.Skip(file.Take<uint64_t>(), kPoint2DBytes);
+    image.points2d.resize(file.TakeCount(kPoint2DBytes));
+    for (ColmapPoint2D& point : image.points2d) {
+      point.pixel.x() = file.Take<double>();
+      point.pixel.y() = file.Take<double>();
+      point.point_id = file.Take<uint64_t>();
+    }
     model.images.push_back(std::move(image));
   }
   file.ExpectEnd();
 }
 
 void ReadPoints(BinaryFile file, ColmapModel& model) {
+  constexpr uint64_t kObservationBytes = 8;  // ids of image and 2D point
   const auto count = file.Take<uint64_t>();
   for (uint64_t i = 0; i < count; ++i) {
     ColmapPoint point;
-    file.Skip(1, sizeof(uint64_t));  // id
+    point.id = file.Take<uint64_t>();
     point.position = file.TakeVector3();
     for (uint8_t& channel : point.rgb) channel = file.Take<uint8_t>();
-    file.Skip(1, sizeof(double));  // reprojection error
-    const auto length = file.Take<uint64_t>();
-    for (uint64_t k = 0; k < length; ++k) {
-      point.image_ids.push_back(file.Take<uint32_t>());
-      file.Skip(1, sizeof(uint32_t));  // index of the 2D point
+    point.error_px = file.Take<double>();
+    point.track.resize(file.TakeCount(kObservationBytes));
+    for (ColmapObservation& observation : point.track) {
+      observation.image_id = file.Take<uint32_t>();
+      observation.point2d_idx = file.Take<uint32_t>();
     }
     model.points.push_back(std::move(point));
   }

@@ -14,38 +14,48 @@
 
 namespace enfilade {
 
+/// The id of the point of a 2D point that belongs to none.
+inline constexpr uint64_t kNoColmapPoint = ~uint64_t{0};
+
+/// Where an image shows something.
+struct ColmapPoint2D {
+  Eigen::Vector2d pixel;
+  uint64_t point_id = kNoColmapPoint;
+};
+
 struct ColmapImage {
   uint32_t id = 0;
   uint32_t camera_id = 0;
   Rigid3 cam_from_world;
   std::string name;
+  std::vector<ColmapPoint2D> points2d;
+};
+
+/// One entry of a track.
+struct ColmapObservation {
+  uint32_t image_id = 0;
+  uint32_t point2d_idx = 0;  ///< into the image's points2d
 };
 
 struct ColmapPoint {
+  uint64_t id = 0;
   Eigen::Vector3d position;
   Eigen::Matrix<uint8_t, 3, 1> rgb;
-  std::vector<uint32_t> image_ids;  ///< its track
+  double error_px = -1;  ///< mean reprojection error, negative when unknown
+  std::vector<ColmapObservation> track;
 };
 
-/// A COLMAP model as its files hold it. Rigs, frames and 2D points are not read.
+/// A COLMAP model as its files hold it, but for rigs and frames.
 struct ColmapModel {
   std::map<uint32_t, Camera> cameras;
   std::vector<ColmapImage> images;
   std::vector<ColmapPoint> points;
 };
 
-/// Each reads the three files of a folder, points3D only where it exists. Throws IoError,
-/// InvalidInputError.
+/// Each reads the three files of a folder, points3D only where it exists. Tracks may name images
+/// and 2D points that are not there. Throws IoError, InvalidInputError.
 [[nodiscard]] ColmapModel ReadColmapBinary(const std::filesystem::path& folder);
 [[nodiscard]] ColmapModel ReadColmapText(const std::filesystem::path& folder);
-
-/// Number of parameters of the supported models SIMPLE_PINHOLE (0), PINHOLE (1) and EQUIRECTANGULAR
-/// (17); refuses the others.
-[[nodiscard]] int NumColmapParams(int model_id, const std::string& where);
-/// Id of a model by its name in text files; −1 when there is none.
-[[nodiscard]] int ColmapModelId(const std::string& name);
-[[nodiscard]] Camera MakeColmapCamera(int model_id, uint64_t width, uint64_t height,
-                                      const std::vector<double>& params, const std::string& where);
 
 /// The rotation of a unit quaternion (tolerance 1e-2) and a finite translation, or
 /// InvalidInputError naming the image.

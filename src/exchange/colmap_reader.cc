@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <system_error>
 
 #include "enfilade/base/errors.h"
@@ -14,86 +11,35 @@
 namespace enfilade {
 namespace {
 
-constexpr int kSimplePinhole = 0;
-constexpr int kPinhole = 1;
-constexpr int kEquirectangular = 17;
 constexpr double kQuaternionTolerance = 1e-2;
-constexpr uint64_t kMaxSide_px = 1000000;
+constexpr double kMaxPixel = 1e7;
 
-// In the order of their ids (COLMAP 4.1).
-constexpr std::array<std::string_view, 18> kModelNames = {"SIMPLE_PINHOLE",
-                                                          "PINHOLE",
-                                                          "SIMPLE_RADIAL",
-                                                          "RADIAL",
-                                                          "OPENCV",
-                                                          "OPENCV_FISHEYE",
-                                                          "FULL_OPENCV",
-                                                          "FOV",
-                                                          "SIMPLE_RADIAL_FISHEYE",
-                                                          "RADIAL_FISHEYE",
-                                                          "THIN_PRISM_FISHEYE",
-                                                          "RAD_TAN_THIN_PRISM_FISHEYE",
-                                                          "SIMPLE_DIVISION",
-                                                          "DIVISION",
-                                                          "SIMPLE_FISHEYE",
-                                                          "FISHEYE",
-                                                          "EUCM",
-                                                          "EQUIRECTANGULAR"};
-
-ScenePoint MakePoint(const ColmapPoint& point, const std::map<uint32_t, int>& picture_of,
-                     const std::string& where) {
+// `picture_of` gives the place of an image among the model's images by its id.
+ScenePoint MakePoint(const ColmapPoint& point, const ColmapModel& model,
+                     const std::map<uint32_t, int>& picture_of, const std::string& where) {
   if (!point.position.allFinite()) {
     throw InvalidInputError(where, "a point is not finite", "check that the model is complete");
   }
   ScenePoint made;
   made.position = point.position;
   made.rgb = point.rgb;
-  for (const uint32_t image_id : point.image_ids) {
-    if (const auto it = picture_of.find(image_id); it != picture_of.end()) {
-      made.view_idx.push_back(it->second);
+  for (const ColmapObservation& observation : point.track) {
+    const auto it = picture_of.find(observation.image_id);
+    if (it == picture_of.end()) continue;
+    made.view_idx.push_back(it->second);
+    const auto& points2d = model.images[static_cast<size_t>(it->second)].points2d;
+    if (observation.point2d_idx >= points2d.size()) continue;
+    const Eigen::Vector2d& pixel = points2d[observation.point2d_idx].pixel;
+    if (!(pixel.cwiseAbs().maxCoeff() <= kMaxPixel)) {
+      throw InvalidInputError(where, "a 2D point is no pixel", "check that the model is complete");
     }
+    made.pixels.push_back(pixel.cast<float>());
   }
+  if (made.pixels.size() != made.view_idx.size()) made.pixels.clear();
   return made;
 }
 
 }  // namespace
-
-int ColmapModelId(const std::string& name) {
-  const auto it = std::find(kModelNames.begin(), kModelNames.end(), name);
-  return it == kModelNames.end() ? -1 : static_cast<int>(it - kModelNames.begin());
-}
-
-int NumColmapParams(int model_id, const std::string& where) {
-  if (model_id == kSimplePinhole) return 3;
-  if (model_id == kPinhole) return 4;
-  if (model_id == kEquirectangular) return 2;
-  const bool is_known = model_id >= 0 && model_id < static_cast<int>(kModelNames.size());
-  throw InvalidInputError(where,
-                          "has a camera of model " +
-                              (is_known ? std::string(kModelNames[static_cast<size_t>(model_id)])
-                                        : "number " + std::to_string(model_id)) +
-                              ", only EQUIRECTANGULAR, PINHOLE and SIMPLE_PINHOLE are supported",
-                          "undistort the pictures first (colmap image_undistorter)");
-}
-
-Camera MakeColmapCamera(int model_id, uint64_t width, uint64_t height,
-                        const std::vector<double>& params, const std::string& where) {
-  if (width == 0 || height == 0 || width > kMaxSide_px || height > kMaxSide_px) {
-    throw InvalidInputError(where, "has a camera without a sensible size",
-                            "check that the model is complete");
-  }
-  const int w = static_cast<int>(width), h = static_cast<int>(height);
-  if (model_id == kEquirectangular) return EquirectangularCamera(w, h);
-  const bool is_simple = model_id == kSimplePinhole;
-  const double fx = params[0], fy = params[is_simple ? 0 : 1];
-  const double cx = params[is_simple ? 1 : 2], cy = params[is_simple ? 2 : 3];
-  if (!(std::isfinite(fx) && std::isfinite(fy) && fx > 0 && fy > 0 && std::isfinite(cx) &&
-        std::isfinite(cy))) {
-    throw InvalidInputError(where, "has a camera without a sensible focal length",
-                            "check that the model is complete");
-  }
-  return PinholeCamera(w, h, fx, fy, cx, cy);
-}
 
 Rigid3 MakeColmapPose(const Eigen::Vector4d& qw_qx_qy_qz, const Eigen::Vector3d& translation,
                       const std::string& name, const std::string& where) {
@@ -133,7 +79,7 @@ PoseFile ReadColmapModel(const std::filesystem::path& folder) {
     poses.pictures.push_back(std::move(picture));
   }
   for (const ColmapPoint& point : model.points) {
-    poses.points.push_back(MakePoint(point, picture_of, where));
+    poses.points.push_back(MakePoint(point, model, picture_of, where));
   }
   return poses;
 }

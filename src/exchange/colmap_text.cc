@@ -6,6 +6,7 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
+#include "src/exchange/colmap_camera.h"
 #include "src/exchange/colmap_model.h"
 
 namespace enfilade {
@@ -31,11 +32,12 @@ class TextFile {
     return std::nullopt;
   }
 
-  // The line right after an entry, whatever is on it.
-  void SkipLine() {
+  // The words of the line right after an entry, which may be empty or the file's end.
+  [[nodiscard]] std::istringstream LineAfterEntry() {
     std::string text;
     std::getline(lines_, text);
     ++line_;
+    return std::istringstream(text);
   }
 
   [[noreturn]] void Fail(const std::string& entry) const {
@@ -65,6 +67,19 @@ void ReadCameras(TextFile file, ColmapModel& model) {
   }
 }
 
+std::vector<ColmapPoint2D> ReadPoints2D(TextFile& file, const std::string& image) {
+  std::istringstream words = file.LineAfterEntry();
+  std::vector<ColmapPoint2D> points;
+  for (ColmapPoint2D point; words >> point.pixel.x();) {
+    int64_t point_id = 0;  // −1 for none
+    if (!(words >> point.pixel.y() >> point_id)) file.Fail("a 2D point of '" + image + "'");
+    point.point_id = static_cast<uint64_t>(point_id);
+    points.push_back(point);
+  }
+  if (!words.eof()) file.Fail("a 2D point of '" + image + "'");
+  return points;
+}
+
 void ReadImages(TextFile file, ColmapModel& model) {
   while (auto words = file.NextEntry()) {
     ColmapImage image;
@@ -74,7 +89,7 @@ void ReadImages(TextFile file, ColmapModel& model) {
     *words >> translation.x() >> translation.y() >> translation.z() >> image.camera_id >> std::ws;
     if (!*words || !std::getline(*words, image.name)) file.Fail("an image");
     image.cam_from_world = MakeColmapPose(q, translation, image.name, file.where());
-    file.SkipLine();  // its 2D points
+    image.points2d = ReadPoints2D(file, image.name);
     model.images.push_back(std::move(image));
   }
 }
@@ -82,16 +97,14 @@ void ReadImages(TextFile file, ColmapModel& model) {
 void ReadPoints(TextFile file, ColmapModel& model) {
   while (auto words = file.NextEntry()) {
     ColmapPoint point;
-    uint64_t id = 0;
-    double error = 0;
     Eigen::Vector3i rgb;
     Eigen::Vector3d& p = point.position;
-    *words >> id >> p.x() >> p.y() >> p.z() >> rgb[0] >> rgb[1] >> rgb[2] >> error;
+    *words >> point.id >> p.x() >> p.y() >> p.z() >> rgb[0] >> rgb[1] >> rgb[2] >> point.error_px;
     if (!*words || rgb.minCoeff() < 0 || rgb.maxCoeff() > 255) file.Fail("a point");
     point.rgb = rgb.cast<uint8_t>();
-    for (uint32_t image_id = 0, point2d = 0; *words >> image_id;) {
-      if (!(*words >> point2d)) file.Fail("a track");
-      point.image_ids.push_back(image_id);
+    for (ColmapObservation observation; *words >> observation.image_id;) {
+      if (!(*words >> observation.point2d_idx)) file.Fail("a track");
+      point.track.push_back(observation);
     }
     if (!words->eof()) file.Fail("a track");
     model.points.push_back(std::move(point));

@@ -3,6 +3,7 @@
 #include "enfilade/exchange/scene_json.h"
 
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -157,10 +158,33 @@ View ViewFromJson(const Json& json, const fs::path& folder, const std::string& w
 
 Json PointToJson(const ScenePoint& point) {
   const auto triple = [](const auto& v) { return Json{v[0], v[1], v[2]}; };
-  return {{"xyz", triple(point.position)},
-          {"normal", triple(point.normal)},
-          {"rgb", triple(point.rgb)},
-          {"views", point.view_idx}};
+  Json json{{"xyz", triple(point.position)},
+            {"normal", triple(point.normal)},
+            {"rgb", triple(point.rgb)},
+            {"views", point.view_idx}};
+  for (const Eigen::Vector2f& pixel : point.pixels) {
+    for (const float coordinate : pixel) json["pixels"].push_back(coordinate);
+  }
+  return json;
+}
+
+// x and y of one pixel a view, one after the other.
+std::vector<Eigen::Vector2f> PixelsFromJson(const Json& json, size_t num_views,
+                                            const std::string& where) {
+  if (json.size() != 2 * num_views) {
+    throw InvalidInputError(where, "a point has not as many pixels as views",
+                            "make the file again");
+  }
+  std::vector<Eigen::Vector2f> pixels;
+  for (size_t k = 0; k < json.size(); k += 2) {
+    const Eigen::Vector2d pixel(NumberFromJson(json[k], where, "a pixel"),
+                                NumberFromJson(json[k + 1], where, "a pixel"));
+    if (pixel.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
+      throw InvalidInputError(where, "a pixel is out of range", "make the file again");
+    }
+    pixels.push_back(pixel.cast<float>());
+  }
+  return pixels;
 }
 
 ScenePoint PointFromJson(const Json& json, size_t num_views, const std::string& where) {
@@ -179,6 +203,9 @@ ScenePoint PointFromJson(const Json& json, size_t num_views, const std::string& 
                               "make the file again");
     }
     point.view_idx.push_back(static_cast<int>(idx));
+  }
+  if (json.contains("pixels")) {
+    point.pixels = PixelsFromJson(JsonArray(json, "pixels", where), point.view_idx.size(), where);
   }
   return point;
 }

@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/hash.h"
@@ -155,13 +156,40 @@ std::vector<int> KeepOneOfEach(const std::vector<View>& all, SceneReadReport& re
   return view_of;
 }
 
+// Pixels of cameras that FitCamera adapted to the size of their picture.
+void ScalePixels(const PoseFile& poses, const std::vector<int>& view_of,
+                 const std::vector<View>& views, ScenePoint& point) {
+  for (size_t k = 0; k < point.pixels.size(); ++k) {
+    const auto picture_idx = static_cast<size_t>(point.view_idx[k]);
+    const Camera& given = poses.pictures[picture_idx].camera;
+    const Camera& fitted = views[static_cast<size_t>(view_of[picture_idx])].camera;
+    point.pixels[k].x() *= static_cast<float>(fitted.width) / static_cast<float>(given.width);
+    point.pixels[k].y() *= static_cast<float>(fitted.height) / static_cast<float>(given.height);
+  }
+}
+
+// Views in ascending order, each once: of one that a track names twice the first pixel is kept.
+void RenumberViews(const std::vector<int>& view_of, ScenePoint& point) {
+  std::vector<std::pair<int, size_t>> order;  // view, place in the track
+  for (size_t k = 0; k < point.view_idx.size(); ++k) {
+    order.emplace_back(view_of[static_cast<size_t>(point.view_idx[k])], k);
+  }
+  std::sort(order.begin(), order.end());
+  const auto is_same_view = [](const auto& a, const auto& b) { return a.first == b.first; };
+  order.erase(std::unique(order.begin(), order.end(), is_same_view), order.end());
+  const std::vector<Eigen::Vector2f> pixels = std::exchange(point.pixels, {});
+  point.view_idx.clear();
+  for (const auto& [view_idx, place] : order) {
+    point.view_idx.push_back(view_idx);
+    if (!pixels.empty()) point.pixels.push_back(pixels[place]);
+  }
+}
+
 void TakePoints(const PoseFile& poses, const std::vector<int>& view_of, Scene& scene) {
   scene.points = poses.points;
   for (ScenePoint& point : scene.points) {
-    for (int& i : point.view_idx) i = view_of[static_cast<size_t>(i)];
-    std::sort(point.view_idx.begin(), point.view_idx.end());
-    point.view_idx.erase(std::unique(point.view_idx.begin(), point.view_idx.end()),
-                         point.view_idx.end());
+    ScalePixels(poses, view_of, scene.views, point);
+    RenumberViews(view_of, point);
   }
 }
 

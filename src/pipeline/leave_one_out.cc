@@ -3,6 +3,7 @@
 #include "enfilade/pipeline/leave_one_out.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/solve.h"
@@ -14,16 +15,24 @@ namespace {
 
 constexpr int kMinOthers = 2;
 
+// Takes a view out of a point's track and closes the gap that it leaves in the numbering.
+void RemoveView(int view_idx, ScenePoint& point) {
+  for (size_t k = point.view_idx.size(); k-- > 0;) {
+    if (point.view_idx[k] != view_idx) continue;
+    const auto place = static_cast<std::ptrdiff_t>(k);
+    point.view_idx.erase(point.view_idx.begin() + place);
+    if (!point.pixels.empty()) point.pixels.erase(point.pixels.begin() + place);
+  }
+  for (int& i : point.view_idx) i -= i > view_idx;
+}
+
 Scene SceneWithout(const Scene& scene, int view_idx) {
   Scene others = scene;
   others.views.erase(others.views.begin() + view_idx);
   std::erase_if(others.points, [&](const ScenePoint& point) {
     return point.view_idx.size() == 1 && point.view_idx.front() == view_idx;
   });
-  for (ScenePoint& point : others.points) {
-    std::erase(point.view_idx, view_idx);
-    for (int& i : point.view_idx) i -= i > view_idx;
-  }
+  for (ScenePoint& point : others.points) RemoveView(view_idx, point);
   return others;
 }
 

@@ -44,12 +44,14 @@ void AddPoint(BinaryWriter& writer, const ScenePoint& point) {
   AddMatrix(writer, point.rgb);
   writer.Add(static_cast<uint64_t>(point.view_idx.size()));
   writer.AddArray(std::span(point.view_idx));
+  writer.Add(static_cast<uint64_t>(point.pixels.size()));
+  for (const Eigen::Vector2f& pixel : point.pixels) AddMatrix(writer, pixel);
 }
 
 }  // namespace
 
 std::string SceneHash(const Scene& scene) {
-  BinaryWriter writer("scene", 1);
+  BinaryWriter writer("scene", 2);
   writer.Add(static_cast<uint64_t>(scene.views.size()));
   for (const View& view : scene.views) AddView(writer, view);
   writer.Add(static_cast<uint64_t>(scene.points.size()));

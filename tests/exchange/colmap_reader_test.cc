@@ -54,7 +54,7 @@ struct TestModel {
       out.Put(id).Put(std::sqrt(0.5)).Put(std::sqrt(0.5)).Put(0.0).Put(0.0);
       out.Put(id == 3 ? 0.0 : -4.0).Put(3.0).Put(0.0).Put<uint32_t>(5);
       out.Text(id == 3 ? "a.png" : "b.png").Put<uint64_t>(2);
-      for (int k = 0; k < 2; ++k) out.Put(1.0).Put(2.0).Put<uint64_t>(~uint64_t{0});
+      for (int k = 0; k < 2; ++k) out.Put(1.0 + 4 * k).Put(2.0 + 2 * k).Put<uint64_t>(~uint64_t{0});
     }
     return out.bytes();
   }
@@ -65,7 +65,8 @@ struct TestModel {
       out.Put(i).Put(0.1 * static_cast<double>(i)).Put(1.0);
       out.Put(i < 60 ? 0.0 : 0.05 * static_cast<double>(i - 59));
       out.Put<uint8_t>(10).Put<uint8_t>(20).Put<uint8_t>(30).Put(0.5).Put<uint64_t>(3);
-      for (const uint32_t image : {9U, 3U, 9U}) out.Put(image).Put<uint32_t>(0);
+      out.Put<uint32_t>(9).Put<uint32_t>(1).Put<uint32_t>(3).Put<uint32_t>(0);
+      out.Put<uint32_t>(9).Put<uint32_t>(0);
     }
     return out.bytes();
   }
@@ -93,14 +94,19 @@ class ColmapTest : public PoseFormatTest {
     EXPECT_TRUE(report.scene.points[1].position.isApprox(Eigen::Vector3d(0.1, 1, 0), 1e-9));
     EXPECT_EQ(report.scene.points[1].rgb, (Eigen::Matrix<uint8_t, 3, 1>(10, 20, 30)));
     EXPECT_THAT(report.scene.points[1].view_idx, ElementsAre(0, 1));
+    const size_t idx_of_b = view.sha256 == report.scene.views[1].sha256;
+    ASSERT_EQ(report.scene.points[1].pixels.size(), 2U);
+    // The first that the track names: the last 2D point of b.png, the first of a.png.
+    EXPECT_EQ(report.scene.points[1].pixels[idx_of_b], Eigen::Vector2f(5, 4));
+    EXPECT_EQ(report.scene.points[1].pixels[1 - idx_of_b], Eigen::Vector2f(1, 2));
   }
 };
 
 constexpr char kCamera[] = "# list\n5 EQUIRECTANGULAR 16 8 16 8\n";
 constexpr char kImages[] =
-    "# list\n3 0.70710678 0.70710678 0 0 0 3 0 5 a.png\n1 2 -1 1 2 -1\n"
-    "9 0.70710678 0.70710678 0 0 -4 3 0 5 b.png\n\n";
-constexpr char kPoints[] = "1 0 1 0 10 20 30 0.5 3 0\n2 0.1 1 0 10 20 30 0.5 9 0 3 0 9 1\n";
+    "# list\n3 0.70710678 0.70710678 0 0 0 3 0 5 a.png\n1 2 1 7 8 -1\n"
+    "9 0.70710678 0.70710678 0 0 -4 3 0 5 b.png\n1 2 -1 5.0 4 2 \r\n";
+constexpr char kPoints[] = "1 0 1 0 10 20 30 0.5 3 0\n2 0.1 1 0 10 20 30 0.5 9 1 3 0 9 0\n";
 
 TEST_F(ColmapTest, ReadsABinaryModelInEachPlace) {
   for (const fs::path& place : {folder / "sparse" / "0", folder / "sparse", folder}) {
@@ -133,6 +139,23 @@ TEST_F(ColmapTest, ReadsPinholeModels) {
   EXPECT_EQ(camera.cx, 8);
   Write({0, {20, 8, 4}}, folder);
   EXPECT_EQ(ViewOf(ReadTestScene(folder).scene, "a.png").camera.cy, 4);
+}
+
+TEST_F(ColmapTest, PixelsOfATrackAreUnknownWhereOneOfItIs) {
+  WriteText(kCamera, kImages, "1 0 1 0 10 20 30 0.5 3 0 9 2\n2 0 1 0 10 20 30 0.5 3 1\n");
+  const Scene scene = ReadTestScene(folder).scene;
+  EXPECT_EQ(scene.points[0].view_idx.size(), 2U);
+  EXPECT_THAT(scene.points[0].pixels, ElementsAre());
+  EXPECT_THAT(scene.points[1].pixels, ElementsAre(Eigen::Vector2f(7, 8)));
+}
+
+// The pictures are half as large as the cameras, as those of undistorted models may be.
+TEST_F(ColmapTest, PixelsAreThoseOfThePicture) {
+  WriteText("5 PINHOLE 32 16 20 21 16 8\n", kImages, kPoints);
+  const Scene scene = ReadTestScene(folder).scene;
+  const size_t idx_of_a = ViewOf(scene, "a.png").sha256 == scene.views[1].sha256;
+  EXPECT_EQ(scene.points[0].pixels.at(0), Eigen::Vector2f(0.5f, 1));
+  EXPECT_EQ(scene.points[1].pixels.at(idx_of_a), Eigen::Vector2f(0.5f, 1));
 }
 
 TEST_F(ColmapTest, SaysThatTheUnitIsAssumed) {
@@ -225,6 +248,13 @@ TEST_F(ColmapTest, RefusesBrokenTextFiles) {
   EXPECT_THAT(refusal(kCamera, image, "1 0 0 0 3 0 0 0 3\n"), HasSubstr("a track cannot be read"));
   EXPECT_THAT(refusal(kCamera, image, "1 0 0 0 3 0 0 0 3 x\n"),
               HasSubstr("a track cannot be read"));
+  const std::string image_line = image.substr(0, image.size() - 1);
+  EXPECT_THAT(refusal(kCamera, image_line + "1 2\n"),
+              HasSubstr("a 2D point of 'a.png' cannot be read (line 2)"));
+  EXPECT_THAT(refusal(kCamera, image_line + "1 2 x\n"), HasSubstr("a 2D point of 'a.png'"));
+  EXPECT_THAT(refusal(kCamera, image_line + "1 2 -1 x\n"), HasSubstr("a 2D point of 'a.png'"));
+  EXPECT_THAT(refusal(kCamera, image_line + "1e300 2 1\n", "1 0 0 0 3 0 0 0 3 0\n"),
+              HasSubstr("a 2D point is no pixel"));
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ class SceneJsonTest : public testing::Test {
     point.position = {0.1, 0.2, 0.3};
     point.rgb = {255, 128, 0};
     point.view_idx = {0, 1};
-    scene.points = {point};
+    scene.points = {point, point};
+    scene.points[1].pixels = {{0.1f, 1000.3f}, {-2, 1e-20f}};
   }
 
   std::string RefusalAfter(const std::function<void(Json&)>& change) {
@@ -88,10 +89,12 @@ TEST_F(SceneJsonTest, ReadsBackExactlyWhatWasWritten) {
     EXPECT_EQ(a.component_idx, b.component_idx);
     EXPECT_EQ(a.is_pose_inferred, b.is_pose_inferred);
   }
-  ASSERT_EQ(read.points.size(), 1U);
+  ASSERT_EQ(read.points.size(), 2U);
   EXPECT_EQ(read.points[0].position, scene.points[0].position);
   EXPECT_EQ(read.points[0].rgb, scene.points[0].rgb);
   EXPECT_EQ(read.points[0].view_idx, scene.points[0].view_idx);
+  EXPECT_EQ(read.points[0].pixels, scene.points[0].pixels);
+  EXPECT_EQ(read.points[1].pixels, scene.points[1].pixels);
 }
 
 TEST_F(SceneJsonTest, HoldsNoAbsolutePath) {
@@ -110,6 +113,14 @@ TEST_F(SceneJsonTest, MovingPicturesAndResultTogetherKeepsTheirPaths) {
   EXPECT_EQ(ReadFile(read.views[0].path), "x");
 }
 
+// Files of before pixels were kept have no such key.
+TEST_F(SceneJsonTest, WritesNoKeyForUnknownPixels) {
+  WriteSceneJson(file, scene);
+  const Json points = ReadJsonFile(file)["points"];
+  EXPECT_FALSE(points[0].contains("pixels"));
+  EXPECT_EQ(points[1]["pixels"].size(), 4U);
+}
+
 TEST_F(SceneJsonTest, RefusesWrongContent) {
   using J = Json&;
   EXPECT_THAT(RefusalAfter([](J j) { j["format"] = 1; }), HasSubstr("'format' is number"));
@@ -124,6 +135,12 @@ TEST_F(SceneJsonTest, RefusesWrongContent) {
               HasSubstr("no rotation"));
   EXPECT_THAT(RefusalAfter([](J j) { j["views"][0]["storey"] = -1; }), HasSubstr("out of range"));
   EXPECT_THAT(RefusalAfter([](J j) { j["points"][0]["views"] = {5}; }), HasSubstr("not there"));
+  EXPECT_THAT(RefusalAfter([](J j) { j["points"][1]["pixels"].erase(3); }),
+              HasSubstr("as many pixels as views"));
+  EXPECT_THAT(RefusalAfter([](J j) { j["points"][1]["pixels"][3] = "x"; }), HasSubstr("a pixel"));
+  EXPECT_THAT(RefusalAfter([](J j) { j["points"][1]["pixels"][3] = 1e300; }),
+              HasSubstr("a pixel is out of range"));
+  EXPECT_THAT(RefusalAfter([](J j) { j["points"][1]["pixels"] = 5; }), HasSubstr("'pixels'"));
   EXPECT_THAT(RefusalAfter([](J j) {
                 j["points"][0]["xyz"] = {1, 2};
               }),

@@ -35,6 +35,8 @@ struct ScenePoint {
   Eigen::Vector3d normal{0, 0, 0};  ///< unit, or zero when unknown
   Eigen::Matrix<uint8_t, 3, 1> rgb{0, 0, 0};
   std::vector<int> view_idx;  ///< views that see it
+  /// Where each of view_idx shows it, in pixels of that view's picture; empty when unknown.
+  std::vector<Eigen::Vector2f> pixels;
 };
 
 /// How the length unit of the world became metres.
