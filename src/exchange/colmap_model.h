@@ -57,10 +57,18 @@ struct ColmapModel {
 [[nodiscard]] ColmapModel ReadColmapBinary(const std::filesystem::path& folder);
 [[nodiscard]] ColmapModel ReadColmapText(const std::filesystem::path& folder);
 
+/// Each writes the three files, each atomically. Numbers are kept exactly. Throws IoError; the text
+/// form also InvalidInputError, before it writes anything, for a name with white space, at which
+/// COLMAP would cut it.
+void WriteColmapBinary(const std::filesystem::path& folder, const ColmapModel& model);
+void WriteColmapText(const std::filesystem::path& folder, const ColmapModel& model);
+
 /// The rotation of a unit quaternion (tolerance 1e-2) and a finite translation, or
 /// InvalidInputError naming the image.
 [[nodiscard]] Rigid3 MakeColmapPose(const Eigen::Vector4d& qw_qx_qy_qz,
                                     const Eigen::Vector3d& translation, const std::string& name,
                                     const std::string& where);
+/// The unit quaternion qw qx qy qz of a rotation, with qw ≥ 0.
+[[nodiscard]] Eigen::Vector4d ColmapQuaternion(const Eigen::Matrix3d& rotation);
 
 }  // namespace enfilade

@@ -51,6 +51,12 @@ Rigid3 MakeColmapPose(const Eigen::Vector4d& qw_qx_qy_qz, const Eigen::Vector3d&
   return {q.normalized().toRotationMatrix(), translation};
 }
 
+Eigen::Vector4d ColmapQuaternion(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  const Eigen::Vector4d qw_qx_qy_qz(q.w(), q.x(), q.y(), q.z());
+  return (q.w() < 0 ? -1.0 : 1.0) * qw_qx_qy_qz.normalized();
+}
+
 PoseFile ReadColmapModel(const std::filesystem::path& folder) {
   const std::string& where = folder.native();
   std::error_code ignored;
