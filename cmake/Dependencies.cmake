@@ -18,10 +18,9 @@ pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo cairo-svg)
 find_package(CLI11 REQUIRED)
 if(ENFILADE_BUILD_TESTS)
   find_package(GTest REQUIRED)
-  find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio)  # reads back what we write
+  find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs video videoio)  # reads back what we write
   pkg_check_modules(tinygltf REQUIRED IMPORTED_TARGET tinygltf)  # reads back what we write
 endif()
 if(ENFILADE_BUILD_BENCHMARKS)
   find_package(benchmark REQUIRED)
-  find_package(OpenCV REQUIRED COMPONENTS core features2d)  # rivals
 endif()

@@ -7,11 +7,14 @@
 #include <string>
 #include <utility>
 
+#include "enfilade/exchange/colmap_writer.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/gltf_writer.h"
 #include "enfilade/exchange/obj_writer.h"
 #include "enfilade/exchange/plan_svg.h"
+#include "enfilade/exchange/ply_writer.h"
 #include "enfilade/exchange/scene_json.h"
+#include "enfilade/exchange/transforms_writer.h"
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/model/extrude.h"
 #include "enfilade/model/texture.h"
@@ -29,6 +32,18 @@ using Json = nlohmann::json;
 
 StageResult NoResult(const std::string& reason) { return {StageOutcome::kNoResult, reason}; }
 
+// Poses and points in the forms that other programs read.
+void WriteForOthers(const Workspace& workspace, const Scene& scene) {
+  const std::filesystem::path sparse = workspace.sparse_folder();
+  WriteColmapModel(sparse / "panoramas", scene, ColmapForm::kEquirectangular,
+                   ColmapEncoding::kBinary);
+  WriteColmapModel(sparse / "rig", scene, ColmapForm::kPinholeRig, ColmapEncoding::kBinary);
+  WriteColmapModel(sparse / "rig_text", scene, ColmapForm::kPinholeRig, ColmapEncoding::kText);
+  WriteTransforms(sparse / "transforms.json", scene);
+  WritePointsPly(workspace.points_file(), scene.points);
+  WriteCamerasPly(sparse / "cameras.ply", scene.views);
+}
+
 // Poses cost minutes, but where pictures and masks lie is no part of their key: a scene that stands
 // is written again with the paths of now.
 StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmOptions& options,
@@ -45,6 +60,7 @@ StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmO
       const PlaceReport report = PlacePanoramas(options.placing, context, scene);
     }
   }
+  WriteForOthers(workspace, scene);
   WriteSceneJson(workspace.scene_file(), scene);
   return {};
 }
@@ -124,7 +140,7 @@ std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
   };
   return {
       {"sfm",
-       {"scene.json"},
+       {"scene.json", "sparse", "points.ply"},
        VisitorOf(options.sfm),
        scene != nullptr ? SceneHash(*scene) : "",
        store_scene,

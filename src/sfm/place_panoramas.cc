@@ -103,7 +103,12 @@ void SetPoints(const Seen& seen, const Registration& registration,
     point.rgb =
         seen.colours[static_cast<size_t>(first.view_idx)][static_cast<size_t>(first.feature_idx)];
     for (const Observation& observation : track.observations) {
+      const size_t view = static_cast<size_t>(observation.view_idx);
+      const Eigen::Vector3f& ray =
+          seen.features[view].rays[static_cast<size_t>(observation.feature_idx)];
       point.view_idx.push_back(observation.view_idx);
+      point.pixels.push_back(
+          scene.views[view].camera.PixelFromRay(ray.cast<double>())->cast<float>());
     }
     scene.points.push_back(std::move(point));
   }

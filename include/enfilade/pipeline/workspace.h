@@ -16,6 +16,9 @@ class Workspace {
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
   [[nodiscard]] std::filesystem::path manifest_file() const { return root_ / "manifest.json"; }
   [[nodiscard]] std::filesystem::path scene_file() const { return root_ / "scene.json"; }
+  /// Poses and points for other programs.
+  [[nodiscard]] std::filesystem::path sparse_folder() const { return root_ / "sparse"; }
+  [[nodiscard]] std::filesystem::path points_file() const { return root_ / "points.ply"; }
   [[nodiscard]] std::filesystem::path structure_folder() const { return root_ / "structure"; }
   [[nodiscard]] std::filesystem::path evidence_folder() const { return root_ / "evidence"; }
   [[nodiscard]] std::filesystem::path floorplan_file() const { return root_ / "floorplan.json"; }

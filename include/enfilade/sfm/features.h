@@ -11,7 +11,7 @@ namespace enfilade {
 
 struct FeatureOptions {
   int max_features = 8000;
-  double min_contrast = 0.02;
+  double min_contrast = 0.01;
 
   void Visit(OptionVisitor& v) {
     v("max_features", max_features, "Features kept of a panorama, those of largest scale first.",
