@@ -16,6 +16,7 @@ constexpr int kNumBins = 180;        // of half a degree
 constexpr double kBin_rad = kPi / 2 / kNumBins;
 constexpr int kReach = 4;
 constexpr double kNear_rad = DegToRad(2);
+constexpr double kMinShare = 0.25;
 constexpr int kIterations = 5;
 
 }  // namespace
@@ -32,7 +33,7 @@ std::vector<LevelLine> LevelLines(std::span<const LineSegment> segments,
   return lines;
 }
 
-double FindHeading(std::span<const LevelLine> lines) {
+std::optional<double> FindHeading(std::span<const LevelLine> lines) {
   std::array<double, kNumBins> votes{};
   for (const LevelLine& line : lines) {
     const int bin = static_cast<int>((WrapQuarter(line.azimuth_rad) + kPi / 4) / kBin_rad);
@@ -42,7 +43,7 @@ double FindHeading(std::span<const LevelLine> lines) {
     }
   }
   const auto peak = std::max_element(votes.begin(), votes.end());
-  if (*peak <= 0) return 0;
+  if (*peak <= 0) return std::nullopt;
   double heading = -kPi / 4 + (static_cast<double>(peak - votes.begin()) + 0.5) * kBin_rad;
   for (int i = 0; i < kIterations; ++i) {
     double weight = 0, sum = 0;
@@ -54,6 +55,12 @@ double FindHeading(std::span<const LevelLine> lines) {
     }
     if (weight > 0) heading += sum / weight;
   }
+  double near = 0, all = 0;
+  for (const LevelLine& line : lines) {
+    all += line.weight;
+    if (std::abs(WrapQuarter(line.azimuth_rad - heading)) <= kNear_rad) near += line.weight;
+  }
+  if (near < kMinShare * all) return std::nullopt;
   return WrapQuarter(heading);
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct LevelLine {
 [[nodiscard]] std::vector<LevelLine> LevelLines(std::span<const LineSegment> segments,
                                                 const Eigen::Matrix3d& world_from_cam);
 
-/// The azimuth modulo 90° along which most of the lines run, in [−45°, 45°); 0 without lines.
-[[nodiscard]] double FindHeading(std::span<const LevelLine> lines);
+/// The azimuth modulo 90° along which most of the lines run, in [−45°, 45°); none where less than a
+/// quarter of them (by weight) runs within 2° of it.
+[[nodiscard]] std::optional<double> FindHeading(std::span<const LevelLine> lines);
 
 }  // namespace enfilade

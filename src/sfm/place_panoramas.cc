@@ -51,6 +51,8 @@ Seen LookAtPictures(const Scene& scene, const PlaceOptions& options, RunContext&
     seen.colours[i] = ColoursOf(seen.features[i], picture, view.camera);
     seen.segments[i] = FindLineSegments(picture, trusted, view.camera);
     seen.gravity[i] = FindGravity(seen.segments[i], {0, -1, 0});
+    seen.gravity[i].heading_rad =
+        FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
   });
   return seen;
 }
@@ -73,7 +75,7 @@ std::vector<Rigid3> AlignComponents(const Seen& seen, const Registration& regist
       sum += Vector3d(pose.translation.x(), pose.translation.y(), 0);
       count += 1;
     }
-    const Eigen::Matrix3d rotation = RotationZ(-FindHeading(lines));
+    const Eigen::Matrix3d rotation = RotationZ(-FindHeading(lines).value_or(0));
     world_from_component.push_back({rotation, -(rotation * (sum / count))});
   }
   return world_from_component;

@@ -29,7 +29,14 @@ LevelRays TurnLevel(std::span<const PanoFeatures> features, std::span<const Grav
   return level;
 }
 
-std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features, const LevelRays& level,
+// The yaw between two panoramas modulo 90° as their walls tell it.
+std::optional<double> HeadingDifference(const Gravity& a, const Gravity& b) {
+  if (!a.heading_rad || !b.heading_rad) return std::nullopt;
+  return *a.heading_rad - *b.heading_rad;
+}
+
+std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features,
+                                 std::span<const Gravity> gravity, const LevelRays& level,
                                  const RegisterOptions& options, RunContext& context) {
   std::vector<PanoPair> pairs;
   const int num_views = static_cast<int>(features.size());
@@ -45,7 +52,8 @@ std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features, const L
     const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
     const std::vector<FeatureMatch> matches =
         MatchDescriptors(features[a].descriptors, features[b].descriptors, options.match);
-    pair = EstimatePair(level[a], level[b], matches, options.two_view);
+    pair = EstimatePair(level[a], level[b], matches, options.two_view,
+                        HeadingDifference(gravity[a], gravity[b]));
     pair.a_idx = static_cast<int>(a);
     pair.b_idx = static_cast<int>(b);
   });
@@ -141,7 +149,7 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
   const int num_views = static_cast<int>(features.size());
   const LevelRays level = TurnLevel(features, gravity);
   Registration registration;
-  registration.pairs = MatchPairs(features, level, options, context);
+  registration.pairs = MatchPairs(features, gravity, level, options, context);
   const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
   FindLengths(level, registration.pairs);
   const std::vector<Eigen::Vector2d> positions = SolvePositions(yaws, registration.pairs);

@@ -28,6 +28,9 @@ constexpr int kMinMatches = 8;
 // Matches count fully from this parallax on: those with less agree with many directions.
 constexpr double kFullParallax_rad = DegToRad(2);
 constexpr int kRefinements = 8;
+constexpr double kHeadingTolerance_rad = DegToRad(4);
+// What a match counts where the yaw is at odds with the walls.
+constexpr double kOffHeadingShare = 0.5;
 constexpr int kShifts = 7;
 // Rotations alone are told to this angle; so many of the agreeing matches make it one place.
 constexpr double kOneSpot_rad = DegToRad(1.5);
@@ -203,13 +206,22 @@ struct Judged {
   double score = 0;
 };
 
-Judged BestUpright(std::span<const RayPair> matches, const TwoViewOptions& options) {
+// Whether the walls of both panoramas can be parallel or square.
+bool FitsHeading(const TwoViewGeometry& geometry, std::optional<double> difference_rad) {
+  if (!difference_rad) return true;
+  const double yaw = std::atan2(geometry.a_from_b(1, 0), geometry.a_from_b(0, 0));
+  return std::abs(WrapQuarter(yaw - *difference_rad)) < kHeadingTolerance_rad;
+}
+
+Judged BestUpright(std::span<const RayPair> matches, const TwoViewOptions& options,
+                   std::optional<double> heading_difference_rad) {
   std::vector<UprightVote> votes;
   for (const RayPair& rays : matches) votes.push_back({rays.first, rays.second, rays.weight});
   Judged best;
   for (const TwoViewGeometry& candidate : VoteUpright(votes)) {
     const TwoViewGeometry refined = Refine(candidate, matches, options, true);
-    const double score = Score(refined, matches, DegToRad(options.inlier_deg));
+    double score = Score(refined, matches, DegToRad(options.inlier_deg));
+    if (!FitsHeading(refined, heading_difference_rad)) score *= kOffHeadingShare;
     if (score > best.score) best = {refined, score};
   }
   return best;
@@ -241,7 +253,8 @@ PairDepths TriangulateDepths(const TwoViewGeometry& geometry, const Vector3d& ra
 
 PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
                       std::span<const Vector3d> level_rays_b, std::span<const FeatureMatch> matches,
-                      const TwoViewOptions& options) {
+                      const TwoViewOptions& options,
+                      std::optional<double> heading_difference_rad) {
   PanoPair pair;
   pair.num_matches = static_cast<int>(matches.size());
   if (pair.num_matches < kMinMatches) return pair;
@@ -252,7 +265,7 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
   }
   ShareWeights(rays);
   const double bound_rad = DegToRad(options.inlier_deg);
-  const Judged best = BestUpright(rays, options);
+  const Judged best = BestUpright(rays, options, heading_difference_rad);
   double num_spots = 0;
   for (const RayPair& pair_of_rays : rays) num_spots += pair_of_rays.weight;
   const double chance = ChanceOfOne(best.geometry, rays, bound_rad);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -66,10 +67,14 @@ struct PairDepths {
 /// The result is accepted when random pairs of the same features would hardly agree as well (an
 /// a-contrario test after Moisan and Stival, IJCV 2004, whose chance of a single agreement is
 /// measured on shifted matches). When a rotation alone explains the matches the verdict is
-/// kSamePlace. Fills all of PanoPair but length and length_sigma. Cost: O(matches · yaws).
+/// kSamePlace.
+///
+/// `heading_difference_rad`, where known, is the yaw of b in a's level frame modulo 90° as the walls
+/// tell it: a yaw more than 4° off it needs far stronger evidence. Fills all of PanoPair but length and length_sigma. Cost: O(matches · yaws).
 [[nodiscard]] PanoPair EstimatePair(std::span<const Eigen::Vector3d> level_rays_a,
                                     std::span<const Eigen::Vector3d> level_rays_b,
                                     std::span<const FeatureMatch> matches,
-                                    const TwoViewOptions& options);
+                                    const TwoViewOptions& options,
+                                    std::optional<double> heading_difference_rad = std::nullopt);
 
 }  // namespace enfilade

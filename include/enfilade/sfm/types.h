@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,11 +24,13 @@ struct PanoFeatures {
   [[nodiscard]] int size() const { return static_cast<int>(rays.size()); }
 };
 
-/// The upward direction in a panorama's camera frame.
+/// How a panorama's lines say that it stands.
 struct Gravity {
-  Eigen::Vector3d up_in_cam{0, -1, 0};  ///< unit
+  Eigen::Vector3d up_in_cam{0, -1, 0};  ///< unit, upward in the camera frame
   double sigma_rad = 0.02;              ///< standard deviation about each level axis
   int num_lines = 0;                    ///< vertical lines that agree with it
+  /// Azimuth of the walls in the level frame, modulo 90°; none where lines run in all directions.
+  std::optional<double> heading_rad;
 };
 
 /// What became of a pair of panoramas that was matched.
