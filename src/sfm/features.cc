@@ -41,6 +41,11 @@ std::array<float, kDescriptorSize> RootSift(const float* sift) {
 
 }  // namespace
 
+std::span<const std::string_view> EnumNames(FeatureSource) {
+  static constexpr std::array<std::string_view, 3> kNames = {"auto", "colmap", "opencv"};
+  return kNames;
+}
+
 PanoFeatures ExtractFeatures(const ImageU8& panorama, const ImageU8& trusted, const Camera& camera,
                              const FeatureOptions& options) {
   ENFILADE_CHECK(trusted.rows() == panorama.rows() && trusted.cols() == panorama.cols());

@@ -8,6 +8,7 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/sfm/colmap_features.h"
 #include "enfilade/sfm/gravity.h"
 #include "src/sfm/component_heading.h"
 
@@ -37,23 +38,32 @@ std::vector<Rgb> ColoursOf(const PanoFeatures& features, const ImageU8& picture,
   return colours;
 }
 
-Seen LookAtPictures(const Scene& scene, const PlaceOptions& options, RunContext& context) {
+Seen LookAtPictures(const Scene& scene, const PlaceOptions& options,
+                    const std::filesystem::path& work_folder, RunContext& context) {
   const size_t num_views = scene.views.size();
   const Stand stand = FindStandOfScene(scene, options.stand, context);
   Seen seen{std::vector<PanoFeatures>(num_views), std::vector<std::vector<Rgb>>(num_views),
             std::vector<Gravity>(num_views), std::vector<std::vector<LineSegment>>(num_views)};
-  ParallelFor(context, "find features", static_cast<int64_t>(num_views), [&](int64_t k) {
-    const size_t i = static_cast<size_t>(k);
-    const View& view = scene.views[i];
-    const ImageU8 picture = ReadImageRgb(view.path);
-    const ImageU8 trusted = TrustedPixels(view, stand);
-    seen.features[i] = ExtractFeatures(picture, trusted, view.camera, options.features);
-    seen.colours[i] = ColoursOf(seen.features[i], picture, view.camera);
-    seen.segments[i] = FindLineSegments(picture, trusted, view.camera);
-    seen.gravity[i] = FindGravity(seen.segments[i], {0, -1, 0});
-    seen.gravity[i].heading_rad =
-        FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
-  });
+  const bool use_colmap = ChooseFeatureSource(options.features) == FeatureSource::kColmap;
+  if (use_colmap) {
+    seen.features = ExtractFeaturesWithColmap(scene.views, stand, options.features,
+                                              work_folder / "database.db", context);
+  }
+  ParallelFor(context, use_colmap ? "find lines" : "find features", static_cast<int64_t>(num_views),
+              [&](int64_t k) {
+                const size_t i = static_cast<size_t>(k);
+                const View& view = scene.views[i];
+                const ImageU8 picture = ReadImageRgb(view.path);
+                const ImageU8 trusted = TrustedPixels(view, stand);
+                if (!use_colmap)
+                  seen.features[i] =
+                      ExtractFeatures(picture, trusted, view.camera, options.features);
+                seen.colours[i] = ColoursOf(seen.features[i], picture, view.camera);
+                seen.segments[i] = FindLineSegments(picture, trusted, view.camera);
+                seen.gravity[i] = FindGravity(seen.segments[i], {0, -1, 0});
+                seen.gravity[i].heading_rad =
+                    FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
+              });
   return seen;
 }
 
@@ -118,9 +128,10 @@ void SetPoints(const Seen& seen, const Registration& registration,
 
 }  // namespace
 
-PlaceReport PlacePanoramas(const PlaceOptions& options, RunContext& context, Scene& scene) {
+PlaceReport PlacePanoramas(const PlaceOptions& options, const std::filesystem::path& work_folder,
+                           RunContext& context, Scene& scene) {
   ENFILADE_CHECK(!scene.views.empty());
-  const Seen seen = LookAtPictures(scene, options, context);
+  const Seen seen = LookAtPictures(scene, options, work_folder, context);
   PlaceReport report;
   report.registration = RegisterFeatures(seen.features, seen.gravity, options.poses, context);
   report.scale =

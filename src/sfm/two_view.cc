@@ -253,8 +253,7 @@ PairDepths TriangulateDepths(const TwoViewGeometry& geometry, const Vector3d& ra
 
 PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
                       std::span<const Vector3d> level_rays_b, std::span<const FeatureMatch> matches,
-                      const TwoViewOptions& options,
-                      std::optional<double> heading_difference_rad) {
+                      const TwoViewOptions& options, std::optional<double> heading_difference_rad) {
   PanoPair pair;
   pair.num_matches = static_cast<int>(matches.size());
   if (pair.num_matches < kMinMatches) return pair;

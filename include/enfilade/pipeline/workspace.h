@@ -16,6 +16,8 @@ class Workspace {
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
   [[nodiscard]] std::filesystem::path manifest_file() const { return root_ / "manifest.json"; }
   [[nodiscard]] std::filesystem::path scene_file() const { return root_ / "scene.json"; }
+  /// What finding poses leaves: COLMAP's database of features.
+  [[nodiscard]] std::filesystem::path sfm_folder() const { return root_ / "sfm"; }
   /// Poses and points for other programs.
   [[nodiscard]] std::filesystem::path sparse_folder() const { return root_ / "sparse"; }
   [[nodiscard]] std::filesystem::path points_file() const { return root_ / "points.ply"; }

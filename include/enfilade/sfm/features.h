@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <string>
+#include <string_view>
+
 #include "enfilade/base/options.h"
 #include "enfilade/image/image.h"
 #include "enfilade/scene/camera.h"
@@ -9,15 +13,26 @@
 
 namespace enfilade {
 
+/// Whose SIFT finds the features (ChooseFeatureSource decides kAuto).
+enum class FeatureSource { kAuto, kColmap, kOpenCv };
+[[nodiscard]] std::span<const std::string_view> EnumNames(FeatureSource);
+
 struct FeatureOptions {
+  FeatureSource source = FeatureSource::kAuto;
   int max_features = 8000;
   double min_contrast = 0.01;
+  std::string colmap_program;
+  bool keep_colmap_views = false;
 
   void Visit(OptionVisitor& v) {
+    v("source", source, "Program that finds the features; auto: COLMAP where it is installed.");
     v("max_features", max_features, "Features kept of a panorama, those of largest scale first.",
       {100.0, 100000.0});
     v("min_contrast", min_contrast,
       "Least contrast of a feature (0 … 1): lower finds more on plain walls.", {0.001, 0.2});
+    v("colmap_program", colmap_program, "COLMAP's program; empty: `colmap` on the PATH.");
+    v("keep_colmap_views", keep_colmap_views,
+      "Leave the views that COLMAP was given beside its database.");
   }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,10 +47,12 @@ struct PlaceReport {
 /// storey of its own, since nothing says how it lies to the others, with its cameras' mean at the
 /// origin.
 ///
-/// `scene.camera_height_m` sets the scale where given. Throws IoError and InvalidInputError for
-/// pictures that cannot be read, StoppedError. Cost: about two seconds a picture on one core, and
-/// the square of the number of pictures for matching.
-[[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options, RunContext& context,
-                                         Scene& scene);
+/// COLMAP's database lies in `work_folder` where COLMAP finds the features; what a killed run left
+/// there is used. `scene.camera_height_m` sets the scale where given. Throws IoError and
+/// InvalidInputError for pictures that cannot be read, StoppedError. Cost: about two seconds a
+/// picture on one core, and the square of the number of pictures for matching.
+[[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options,
+                                         const std::filesystem::path& work_folder,
+                                         RunContext& context, Scene& scene);
 
 }  // namespace enfilade

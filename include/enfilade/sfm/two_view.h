@@ -69,8 +69,9 @@ struct PairDepths {
 /// measured on shifted matches). When a rotation alone explains the matches the verdict is
 /// kSamePlace.
 ///
-/// `heading_difference_rad`, where known, is the yaw of b in a's level frame modulo 90° as the walls
-/// tell it: a yaw more than 4° off it needs far stronger evidence. Fills all of PanoPair but length and length_sigma. Cost: O(matches · yaws).
+/// `heading_difference_rad`, where known, is the yaw of b in a's level frame modulo 90° as the
+/// walls tell it: a yaw more than 4° off it needs far stronger evidence. Fills all of PanoPair but
+/// length and length_sigma. Cost: O(matches · yaws).
 [[nodiscard]] PanoPair EstimatePair(std::span<const Eigen::Vector3d> level_rays_a,
                                     std::span<const Eigen::Vector3d> level_rays_b,
                                     std::span<const FeatureMatch> matches,
