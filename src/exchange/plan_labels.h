@@ -9,6 +9,7 @@
 
 #include "enfilade/floorplan/types.h"
 #include "src/exchange/plan_sheet.h"
+#include "src/exchange/svg_elements.h"
 
 namespace enfilade {
 
@@ -22,14 +23,6 @@ struct TurnedBox {
 
 /// True when the boxes share a point (separating axes).
 [[nodiscard]] bool Overlap(const TurnedBox& a, const TurnedBox& b);
-
-/// One line of text, centred at `anchor` on its baseline.
-struct TextLine {
-  std::string text;
-  std::string style;  ///< CSS class
-  Eigen::Vector2d anchor{0, 0};
-  double angle_deg = 0;  ///< as SVG turns: clockwise on paper
-};
 
 /// What stands in the middle of a room.
 struct RoomLabel {

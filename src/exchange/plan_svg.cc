@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <pugixml.hpp>
-#include <sstream>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "src/exchange/plan_labels.h"
 #include "src/exchange/plan_poche.h"
 #include "src/exchange/plan_sheet.h"
+#include "src/exchange/svg_elements.h"
 
 namespace enfilade {
 namespace {
@@ -50,67 +50,6 @@ text { font-family: "DejaVu Sans", Arial, Helvetica, sans-serif; fill: #1c1c1c; 
 .scale-light { fill: #ffffff; stroke: #1c1c1c; stroke-width: 0.18; }
 )";
 
-// Millimetres with at most three decimals and no negative zero.
-std::string Mm(double value) {
-  std::string text = fmt::format("{:.3f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
-void Set(xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name) = value.c_str();
-}
-
-xml_node AppendElement(xml_node parent, const char* name, const std::string& style) {
-  xml_node node = parent.append_child(name);
-  Set(node, "class", style);
-  return node;
-}
-
-xml_node AppendLayer(xml_node parent, const std::string& id, const std::string& style,
-                     const std::string& label) {
-  xml_node layer = parent.append_child("g");
-  Set(layer, "id", id);
-  Set(layer, "class", style);
-  Set(layer, "inkscape:groupmode", "layer");
-  Set(layer, "inkscape:label", label);
-  return layer;
-}
-
-xml_node AppendLine(xml_node parent, const std::string& style, const Vector2d& a,
-                    const Vector2d& b) {
-  xml_node line = AppendElement(parent, "line", style);
-  Set(line, "x1", Mm(a.x()));
-  Set(line, "y1", Mm(a.y()));
-  Set(line, "x2", Mm(b.x()));
-  Set(line, "y2", Mm(b.y()));
-  return line;
-}
-
-xml_node AppendRectangle(xml_node parent, const std::string& style, const Vector2d& corner,
-                         const Vector2d& size) {
-  xml_node rectangle = AppendElement(parent, "rect", style);
-  Set(rectangle, "x", Mm(corner.x()));
-  Set(rectangle, "y", Mm(corner.y()));
-  Set(rectangle, "width", Mm(size.x()));
-  Set(rectangle, "height", Mm(size.y()));
-  return rectangle;
-}
-
-xml_node AppendText(xml_node parent, const TextLine& line) {
-  xml_node text = AppendElement(parent, "text", line.style);
-  Set(text, "x", Mm(line.anchor.x()));
-  Set(text, "y", Mm(line.anchor.y()));
-  if (line.angle_deg != 0) {
-    Set(text, "transform",
-        fmt::format("rotate({} {} {})", Mm(line.angle_deg), Mm(line.anchor.x()),
-                    Mm(line.anchor.y())));
-  }
-  text.text().set(line.text.c_str());
-  return text;
-}
-
 std::string PathOfRing(const Ring2& ring, const PaperFrame& frame) {
   std::string path;
   for (const Vector2d& p : ring) {
@@ -129,8 +68,8 @@ std::string PathOfPolygon(const Polygon2& polygon, const PaperFrame& frame) {
 xml_node AppendPolygon(xml_node parent, const std::string& style, const Polygon2& polygon,
                        const PaperFrame& frame) {
   xml_node path = AppendElement(parent, "path", style);
-  Set(path, "fill-rule", "evenodd");
-  Set(path, "d", PathOfPolygon(polygon, frame));
+  SetAttribute(path, "fill-rule", "evenodd");
+  SetAttribute(path, "d", PathOfPolygon(polygon, frame));
   return path;
 }
 
@@ -150,9 +89,9 @@ Eigen::AlignedBox2d ExtentOf(const Storey& storey, const WallBodies& bodies) {
 void DrawRooms(const Storey& storey, const PaperFrame& frame, xml_node layer) {
   for (const Room& room : storey.rooms) {
     xml_node path = AppendPolygon(layer, "room", room.polygon, frame);
-    Set(path, "data-room", std::to_string(room.id));
-    Set(path, "data-area-m2", fmt::format("{:.3f}", Area(room.polygon)));
-    Set(path, "data-height-m", fmt::format("{:.3f}", room.ceiling_z - room.floor_z));
+    SetAttribute(path, "data-room", std::to_string(room.id));
+    SetAttribute(path, "data-area-m2", fmt::format("{:.3f}", Area(room.polygon)));
+    SetAttribute(path, "data-height-m", fmt::format("{:.3f}", room.ceiling_z - room.floor_z));
   }
 }
 
@@ -164,12 +103,13 @@ void DrawWalls(const Storey& storey, const WallBodies& bodies, const PaperFrame&
     const bool is_inferred = wall.seen == WallSeen::kInferred;
     xml_node face = AppendLine(layer, is_inferred ? "face face-inferred" : "face", frame * wall.a,
                                frame * wall.b);
-    Set(face, "data-wall", std::to_string(wall.id));
-    Set(face, "data-room", std::to_string(wall.room_id));
-    Set(face, "data-length-m", fmt::format("{:.3f}", (wall.b - wall.a).norm()));
-    Set(face, "data-thickness-m", fmt::format("{:.3f}", wall.thickness_m));
-    Set(face, "data-thickness", wall.is_thickness_measured ? "measured" : "assumed");
-    Set(face, "data-seen", std::string(EnumNames(WallSeen{})[static_cast<size_t>(wall.seen)]));
+    SetAttribute(face, "data-wall", std::to_string(wall.id));
+    SetAttribute(face, "data-room", std::to_string(wall.room_id));
+    SetAttribute(face, "data-length-m", fmt::format("{:.3f}", (wall.b - wall.a).norm()));
+    SetAttribute(face, "data-thickness-m", fmt::format("{:.3f}", wall.thickness_m));
+    SetAttribute(face, "data-thickness", wall.is_thickness_measured ? "measured" : "assumed");
+    SetAttribute(face, "data-seen",
+                 std::string(EnumNames(WallSeen{})[static_cast<size_t>(wall.seen)]));
   }
 }
 
@@ -178,8 +118,8 @@ void DrawOpenings(const Storey& storey, const PaperFrame& frame, xml_node layer)
   for (const Opening& opening : storey.openings) {
     xml_node line = AppendLine(layer, kStyles[static_cast<size_t>(opening.kind)], frame * opening.a,
                                frame * opening.b);
-    Set(line, "data-opening", std::to_string(opening.id));
-    Set(line, "data-width-m", fmt::format("{:.3f}", (opening.b - opening.a).norm()));
+    SetAttribute(line, "data-opening", std::to_string(opening.id));
+    SetAttribute(line, "data-width-m", fmt::format("{:.3f}", (opening.b - opening.a).norm()));
   }
 }
 
@@ -190,7 +130,7 @@ void DrawDimension(const DimensionLine& dimension, xml_node layer) {
   const Vector2d slash =
       kTick_mm * Vector2d(along.x() + along.y(), along.y() - along.x()).normalized();
   xml_node group = AppendElement(layer, "g", "dimension-group");
-  if (dimension.wall_id >= 0) Set(group, "data-wall", std::to_string(dimension.wall_id));
+  if (dimension.wall_id >= 0) SetAttribute(group, "data-wall", std::to_string(dimension.wall_id));
   AppendLine(group, "dimension", dimension.line_a, dimension.line_b);
   const auto draw_end = [&](const Vector2d& measured, const Vector2d& end) {
     const Vector2d away = (end - measured).normalized();
@@ -220,12 +160,9 @@ std::vector<PaperCamera> CamerasOf(const Floorplan& plan, int storey_idx, const 
 
 void DrawCameras(const std::vector<PaperCamera>& cameras, xml_node layer) {
   for (const auto& [camera, position] : cameras) {
-    xml_node circle =
-        AppendElement(layer, "circle", camera->is_inferred ? "camera camera-inferred" : "camera");
-    Set(circle, "cx", Mm(position.x()));
-    Set(circle, "cy", Mm(position.y()));
-    Set(circle, "r", "0.6");
-    Set(circle, "data-picture", PrintablePath(camera->picture));
+    xml_node circle = AppendCircle(layer, camera->is_inferred ? "camera camera-inferred" : "camera",
+                                   position, 0.6);
+    SetAttribute(circle, "data-picture", PrintablePath(camera->picture));
   }
 }
 
@@ -253,33 +190,13 @@ void DrawStorey(const Floorplan& plan, int storey_idx, const WallBodies& bodies,
   const xml_node lettering = layer("labels", "Labels");
   for (const RoomLabel& label : labels.rooms) {
     xml_node room = AppendElement(lettering, "g", "room-label");
-    Set(room, "data-room", std::to_string(label.room_id));
+    SetAttribute(room, "data-room", std::to_string(label.room_id));
     for (const TextLine& line : label.lines) AppendText(room, line);
   }
   if (plan.storeys.size() > 1) {
     const Vector2d corner(extent.min().x(), extent.max().y());
     AppendText(lettering, {fmt::format("Storey {}", storey.id), "storey-name",
                            frame * corner - Vector2d(0, 1.5), 0});
-  }
-}
-
-// Alternating metres, each as long as at least 5 mm on paper.
-void DrawScaleBar(const PlanSheet& sheet, const Vector2d& right_end, xml_node layer) {
-  constexpr int kParts = 5;
-  constexpr double kMinPart_mm = 8, kHeight_mm = 1.6;
-  double part_m = 1;
-  while (part_m * 1000 / sheet.scale_denominator < kMinPart_mm) part_m *= part_m == 2 ? 2.5 : 2;
-  const double part_mm = part_m * 1000 / sheet.scale_denominator;
-  const Vector2d begin = right_end - Vector2d(kParts * part_mm, 0);
-  xml_node group = AppendElement(layer, "g", "scale-bar");
-  for (int i = 0; i < kParts; ++i) {
-    AppendRectangle(group, i % 2 == 0 ? "scale-dark" : "scale-light",
-                    begin + Vector2d(i * part_mm, 0), {part_mm, kHeight_mm});
-  }
-  for (int i = 0; i <= kParts; ++i) {
-    const char* unit = i == kParts ? " m" : "";
-    AppendText(group, {fmt::format("{:g}{}", i * part_m, unit), "scale-text",
-                       begin + Vector2d(i * part_mm, -0.8), 0});
   }
 }
 
@@ -321,21 +238,7 @@ void DrawSheet(const Floorplan& plan, const PlanSheet& sheet, const PlanSvgOptio
               "sheet-note",
               {left, top + 17.8},
               0});
-  DrawScaleBar(sheet, {sheet.width_mm - kSheetMargin_mm - 6, top + 6}, layer);
-}
-
-xml_node AppendRoot(pugi::xml_document& document, const PlanSheet& sheet) {
-  xml_node declaration = document.append_child(pugi::node_declaration);
-  Set(declaration, "version", "1.0");
-  Set(declaration, "encoding", "UTF-8");
-  xml_node root = document.append_child("svg");
-  Set(root, "xmlns", "http://www.w3.org/2000/svg");
-  Set(root, "xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
-  Set(root, "version", "1.1");
-  Set(root, "width", Mm(sheet.width_mm) + "mm");
-  Set(root, "height", Mm(sheet.height_mm) + "mm");
-  Set(root, "viewBox", fmt::format("0 0 {} {}", Mm(sheet.width_mm), Mm(sheet.height_mm)));
-  return root;
+  AppendScaleBar(layer, sheet.scale_denominator, {sheet.width_mm - kSheetMargin_mm - 6, top + 6});
 }
 
 }  // namespace
@@ -349,7 +252,7 @@ std::string FormatPlanSvg(const Floorplan& plan, const PlanSvgOptions& options) 
   }
   const PlanSheet sheet = LayOutSheet(extents);
   pugi::xml_document document;
-  xml_node root = AppendRoot(document, sheet);
+  xml_node root = AppendDrawing(document, {sheet.width_mm, sheet.height_mm});
   root.append_child("title").text().set(PrintablePath(options.title).c_str());
   root.append_child("desc").text().set(
       (SummaryLine(plan, sheet) + ". One unit is one millimetre on paper.").c_str());
@@ -358,9 +261,7 @@ std::string FormatPlanSvg(const Floorplan& plan, const PlanSvgOptions& options) 
   for (size_t i = 0; i < plan.storeys.size(); ++i) {
     DrawStorey(plan, static_cast<int>(i), bodies[i], sheet.frames[i], options, root);
   }
-  std::ostringstream text;
-  document.save(text, " ", pugi::format_indent, pugi::encoding_utf8);
-  return text.str();
+  return FormatXml(document);
 }
 
 void WritePlanSvg(const std::filesystem::path& path, const Floorplan& plan,
