@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "src/exchange/connection_facts.h"
+
+namespace pugi {
+class xml_document;
+}
+
+namespace enfilade {
+
+/// Builds the page that FormatConnectionsHtml tells of in an empty document.
+void BuildConnectionPage(const ConnectionFacts& facts, pugi::xml_document& document);
+
+}  // namespace enfilade
