@@ -147,6 +147,7 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
                               std::span<const Gravity> gravity, const RegisterOptions& options,
                               RunContext& context) {
   const int num_views = static_cast<int>(features.size());
+  if (num_views == 0) return {};
   const LevelRays level = TurnLevel(features, gravity);
   Registration registration;
   registration.pairs = MatchPairs(features, gravity, level, options, context);
