@@ -224,6 +224,10 @@ Judged BestUpright(std::span<const RayPair> matches, const TwoViewOptions& optio
     if (!FitsHeading(refined, heading_difference_rad)) score *= kOffHeadingShare;
     if (score > best.score) best = {refined, score};
   }
+  // A candidate that started far off may still be on its way and score a trifle more than those
+  // that arrived.
+  best.geometry = Refine(best.geometry, matches, options, true);
+  best.score = Score(best.geometry, matches, DegToRad(options.inlier_deg));
   return best;
 }
 
