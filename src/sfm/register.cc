@@ -119,26 +119,36 @@ std::vector<Track> TracksOf(int component, std::span<const int> component_idx,
   return chosen;
 }
 
+double NumRays(std::span<const Track> tracks) {
+  double count = 0;
+  for (const Track& track : tracks) count += static_cast<double>(track.observations.size());
+  return count;
+}
+
 void Refine(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
             const RegisterOptions& options, RunContext& context, Registration& registration) {
   constexpr std::array<double, 4> kMaxErrors_deg = {2.0, 1.0, 0.5, 0.3};
   const std::vector<Track> chains = BuildTracks(registration.pairs, features);
   const int num_components =
       1 + *std::max_element(registration.component_idx.begin(), registration.component_idx.end());
+  double sum_squares = 0;
   for (int component = 0; component < num_components; ++component) {
     const std::vector<Track> own = TracksOf(component, registration.component_idx, chains);
     std::vector<Track> tracks;
     LevelPlanes planes;
+    double error_rad = 0;
     for (const double max_error_deg : kMaxErrors_deg) {
       context.CheckStop();
       tracks = Triangulate(own, registration.world_from_cam, features, max_error_deg);
       planes.ceilings = FindCeilings(tracks);
-      registration.ray_error_rad = AdjustBundle(features, gravity, options.bundle,
-                                                registration.world_from_cam, tracks, planes);
+      error_rad = AdjustBundle(features, gravity, options.bundle, registration.world_from_cam,
+                               tracks, planes);
     }
+    sum_squares += NumRays(tracks) * error_rad * error_rad;
     registration.tracks.insert(registration.tracks.end(), tracks.begin(), tracks.end());
     if (component == 0) registration.ceilings = planes.ceilings;
   }
+  registration.ray_error_rad = std::sqrt(sum_squares / std::max(1.0, NumRays(registration.tracks)));
 }
 
 }  // namespace
