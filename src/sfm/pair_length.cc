@@ -25,36 +25,44 @@ constexpr double kMinScore = 2.5;
 // Lengths that are tried: 2 cm to 30 m for cameras at 1.5 m, in steps of 1 %.
 const double kMinLogLength = std::log(0.013), kMaxLogLength = std::log(20.0);
 constexpr double kLogStep = 0.01;
+const int kNumLengths = static_cast<int>((kMaxLogLength - kMinLogLength) / kLogStep) + 1;
 // Ceilings that are tried: 0.3 m above the cameras to 3 m.
-constexpr double kMinCeiling = 0.2, kMaxCeiling = 2.2;
+const double kMinLogCeiling = std::log(0.2), kMaxLogCeiling = std::log(2.2);
+const int kNumCeilings = static_cast<int>((kMaxLogCeiling - kMinLogCeiling) / kLogStep) + 1;
 
 struct ScoredLength {
   double log_length = 0;
   double score = 0;
 };
 
-double ScoreOf(std::span<const LengthVote> votes, double log_ceiling, bool has_ceiling,
-               double log_length) {
-  double score = 0;
+double ScoreOf(const LengthVote& vote, double log_length) {
+  const double x = (log_length - vote.log_length) / vote.sigma;
+  return std::exp(-0.5 * x * x) - kBeyondCost * std::clamp((x - 2) / 2, 0.0, 1.0);
+}
+
+// Scores of the votes from above or from below at the lengths kLogStep apart from `first` on.
+std::vector<double> Scores(std::span<const LengthVote> votes, bool is_above, double first,
+                           int count) {
+  std::vector<double> scores(static_cast<size_t>(count), 0);
   for (const LengthVote& vote : votes) {
-    if (vote.is_above && !has_ceiling) continue;
-    const double at = vote.log_length + (vote.is_above ? log_ceiling : 0);
-    const double x = (log_length - at) / vote.sigma;
-    score += std::exp(-0.5 * x * x);
-    score -= kBeyondCost * std::clamp((x - 2) / 2, 0.0, 1.0);
+    if (vote.is_above != is_above) continue;
+    for (int i = 0; i < count; ++i) {
+      scores[static_cast<size_t>(i)] += ScoreOf(vote, first + i * kLogStep);
+    }
   }
-  return score;
+  return scores;
 }
 
 ScoredLength BestLength(std::span<const LengthVote> votes, double ceiling) {
-  const bool has_ceiling = ceiling > 0;
-  const double log_ceiling = has_ceiling ? std::log(ceiling) : 0;
-  ScoredLength best;
-  for (double at = kMinLogLength; at < kMaxLogLength; at += kLogStep) {
-    const double score = ScoreOf(votes, log_ceiling, has_ceiling, at);
-    if (score > best.score) best = {at, score};
+  std::vector<double> scores = Scores(votes, false, kMinLogLength, kNumLengths);
+  if (ceiling > 0) {
+    const std::vector<double> above =
+        Scores(votes, true, kMinLogLength - std::log(ceiling), kNumLengths);
+    for (size_t i = 0; i < scores.size(); ++i) scores[i] += above[i];
   }
-  return best;
+  const auto best = std::max_element(scores.begin(), scores.end());
+  if (*best <= 0) return {};
+  return {kMinLogLength + kLogStep * static_cast<double>(best - scores.begin()), *best};
 }
 
 }  // namespace
@@ -86,16 +94,24 @@ double FindCeiling(std::span<const std::vector<LengthVote>> votes_of_pairs) {
     for (const LengthVote& vote : votes) has_above = has_above || vote.is_above;
   }
   if (!has_above) return 0;
-  double best = 0, best_total = -1;
-  for (double ceiling = kMinCeiling; ceiling < kMaxCeiling; ceiling *= 1 + kLogStep) {
-    double total = 0;
-    for (const auto& votes : votes_of_pairs) total += BestLength(votes, ceiling).score;
-    if (total > best_total) {
-      best_total = total;
-      best = ceiling;
+  // A ceiling a step higher shifts the scores of the votes from above by a step.
+  std::vector<double> totals(static_cast<size_t>(kNumCeilings), 0);
+  for (const auto& votes : votes_of_pairs) {
+    const std::vector<double> below = Scores(votes, false, kMinLogLength, kNumLengths);
+    const double first_above = kMinLogLength - kMinLogCeiling - (kNumCeilings - 1) * kLogStep;
+    const std::vector<double> above =
+        Scores(votes, true, first_above, kNumLengths + kNumCeilings - 1);
+    for (int c = 0; c < kNumCeilings; ++c) {
+      const double* const shifted = above.data() + (kNumCeilings - 1 - c);
+      double best = 0;
+      for (int i = 0; i < kNumLengths; ++i) {
+        best = std::max(best, below[static_cast<size_t>(i)] + shifted[i]);
+      }
+      totals[static_cast<size_t>(c)] += best;
     }
   }
-  return best;
+  const auto best = std::max_element(totals.begin(), totals.end());
+  return std::exp(kMinLogCeiling + kLogStep * static_cast<double>(best - totals.begin()));
 }
 
 void SetLength(std::span<const LengthVote> votes, double ceiling, PanoPair& pair) {
