@@ -31,6 +31,10 @@ constexpr double kMinSigma = 0.01;
 constexpr double kMaxMiss_rad = DegToRad(10);
 constexpr double kShortest = 0.1;  // below this a direction of the result means nothing
 constexpr int kIterations = 30;
+// Cauchy's loss in standard deviations. Wide at first (graduated non-convexity): else the wrong
+// pairs of the tree hold what they have built, since the right ones miss it by many standard
+// deviations.
+constexpr double kLossScale = 2, kWidestScale = 64, kNarrowing = 0.8;
 constexpr double kSpring = 1e-9;
 
 double Median(std::vector<double> values) {
@@ -120,13 +124,15 @@ std::vector<Vector2d> PositionsAlong(std::span<const PanoPair> pairs,
 void Reweight(std::span<const PanoPair> pairs, std::span<const double> yaws,
               std::vector<Vector2d>& positions) {
   for (int iteration = 0; iteration < kIterations; ++iteration) {
+    const double scale = std::max(kLossScale, kWidestScale * std::pow(kNarrowing, iteration));
     NormalEquations equations(2 * static_cast<int>(positions.size()));
     for (const PanoPair& pair : pairs) {
       if (!IsConnecting(pair)) continue;
       const Step step = StepOf(pair, yaws);
       const Vector2d miss = step.vector - (positions[static_cast<size_t>(pair.b_idx)] -
                                            positions[static_cast<size_t>(pair.a_idx)]);
-      const Matrix2d weight = step.information / (1 + miss.dot(step.information * miss) / 4);
+      const double squared_sigmas = miss.dot(step.information * miss);
+      const Matrix2d weight = step.information / (1 + squared_sigmas / (scale * scale));
       const Vector2d pull = weight * miss;
       for (int r = 0; r < 2; ++r) {
         const int a = 2 * pair.a_idx, b = 2 * pair.b_idx;

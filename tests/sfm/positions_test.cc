@@ -152,7 +152,6 @@ TEST(SolvePositions, LeavesOutWrongPairs) {
       if (!is_wrong[k]) continue;
       pairs[k].direction = RotationZ(DegToRad(off_deg(random))) * pairs[k].direction;
       pairs[k].length = length(random);
-      pairs[k].inliers.resize(10);
     }
     EXPECT_LT(tour.LargestError(SolvePositions(tour.yaws, pairs)), 0.03) << "seed " << seed;
     for (size_t k = 0; k < pairs.size(); ++k) {

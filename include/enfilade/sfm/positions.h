@@ -30,10 +30,10 @@ void SolveLengths(std::span<const LengthRatio> ratios, std::vector<PanoPair>& pa
 
 /// Level positions of the views in camera heights, the first view of each component at the origin,
 /// from the pairs' directions (turned by `yaws`, level frame to world) and lengths: robust least
-/// squares, iteratively reweighted with Cauchy's loss, from the spanning tree of the surest pairs.
-/// Pairs of unknown length tell their direction alone. Pairs whose direction misses the result by
-/// more than 10° become kAgainstPositions, and what is left is solved anew. Cost: one sparse solve
-/// an iteration.
+/// squares, iteratively reweighted with Cauchy's loss that narrows, from the spanning tree of the
+/// surest pairs. Pairs of unknown length tell their direction alone. Pairs whose direction misses
+/// the result by more than 10° become kAgainstPositions, and what is left is solved anew. Cost: one
+/// sparse solve an iteration.
 [[nodiscard]] std::vector<Eigen::Vector2d> SolvePositions(std::span<const double> yaws,
                                                           std::vector<PanoPair>& pairs);
 
