@@ -94,7 +94,8 @@ std::vector<ComponentFact> DescribeComponents(const Scene& scene, std::vector<Vi
 
 // The turn about z from the world's axes to those of the level frame in which pairs are told.
 double LevelYaw(const View& view) {
-  const Gravity gravity{.up_in_cam = view.world_from_cam.rotation.transpose() * Vector3d::UnitZ()};
+  Gravity gravity;
+  gravity.up_in_cam = view.world_from_cam.rotation.transpose() * Vector3d::UnitZ();
   const Eigen::Matrix3d world_from_level =
       view.world_from_cam.rotation * LevelFromCam(gravity).transpose();
   return std::atan2(world_from_level(1, 0), world_from_level(0, 0));

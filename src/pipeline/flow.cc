@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/pipeline/flow.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "enfilade/exchange/colmap_writer.h"
+#include "enfilade/exchange/connection_report.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/gltf_writer.h"
 #include "enfilade/exchange/obj_writer.h"
@@ -47,43 +45,10 @@ void WriteForOthers(const Workspace& workspace, const Scene& scene) {
   WriteCamerasPly(sparse / "cameras.ply", scene.views);
 }
 
-// Features on the floor are few where it is plain, and those on baseboards and sockets pass for it.
-// Where the walls end on the floor is seen better: each component is scaled so that its cameras
-// stand as high above that line as they should.
-void ScaleByFloor(const StructureOptions& options, RunContext& context, Scene& scene) {
-  const double height_m = *scene.camera_height_m;
-  std::vector<double> floors = FindFloors(scene, options, context);
-  std::vector<double> scales(floors.size(), 1.0);
-  for (size_t k = 0; k < floors.size(); ++k) {
-    std::vector<double> heights;
-    for (const View& view : scene.views) {
-      if (view.storey_idx == static_cast<int>(k)) {
-        heights.push_back(view.world_from_cam.translation.z() - floors[k]);
-      }
-    }
-    if (heights.size() < 2) {  // one panorama alone tells no scale
-      floors[k] = 0;
-      continue;
-    }
-    std::nth_element(heights.begin(), heights.begin() + static_cast<long>(heights.size() / 2),
-                     heights.end());
-    scales[k] = height_m / heights[heights.size() / 2];
-    context.log().Info(fmt::format("component {}: lengths times {:.4f}", k, scales[k]));
-  }
-  const auto place = [&](int storey_idx, Eigen::Vector3d& position) {
-    const size_t k = static_cast<size_t>(storey_idx);
-    position = scales[k] * (position - Eigen::Vector3d(0, 0, floors[k]));
-  };
-  for (ScenePoint& point : scene.points) {
-    place(scene.views[static_cast<size_t>(point.view_idx.front())].storey_idx, point.position);
-  }
-  for (View& view : scene.views) place(view.storey_idx, view.world_from_cam.translation);
-}
-
 // Poses cost minutes, but where pictures and masks lie is no part of their key: a scene that stands
 // is written again with the paths of now.
-StageResult StoreScene(const Workspace& workspace, const Scene& read,
-                       const PipelineOptions& options, RunContext& context) {
+StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmOptions& options,
+                       RunContext& context) {
   Scene scene = read;
   if (scene.pose_source == PoseSource::kEstimated) {
     if (std::filesystem::exists(workspace.scene_file())) {
@@ -94,8 +59,11 @@ StageResult StoreScene(const Workspace& workspace, const Scene& read,
       }
     } else {
       const PlaceReport report =
-          PlacePanoramas(options.sfm.placing, workspace.sfm_folder(), context, scene);
-      ScaleByFloor(options.structure, context, scene);
+          PlacePanoramas(options.placing, workspace.sfm_folder(), context, scene);
+      WriteConnectionReport(workspace.connections_folder(), scene,
+                            {.pairs = report.registration.pairs,
+                             .num_features = report.num_features,
+                             .warnings = report.warnings});
     }
   }
   WriteForOthers(workspace, scene);
@@ -174,11 +142,11 @@ std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
     };
   };
   const auto store_scene = [&workspace, scene, &options](RunContext& context) {
-    return StoreScene(workspace, *scene, options, context);
+    return StoreScene(workspace, *scene, options.sfm, context);
   };
   return {
       {"sfm",
-       {"scene.json", "sparse", "points.ply"},
+       {"scene.json", "sparse", "points.ply", "connections"},
        VisitorOf(options.sfm),
        scene != nullptr ? SceneHash(*scene) : "",
        store_scene,

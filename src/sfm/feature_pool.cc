@@ -23,12 +23,13 @@ bool IsTrusted(const ImageU8& trusted, const Camera& pano, const Eigen::Vector3d
 
 }  // namespace
 
-void FeaturePool::Add(int view_idx, const Eigen::Vector2d& pixel, double size_px,
+void FeaturePool::Add(int view_idx, const Eigen::Vector2d& pixel, double size_px, double strength,
                       const float* root_sift) {
   const Eigen::Vector3d ray_in_view = ring_.camera.RayFromPixel(pixel);
   const Eigen::Vector3d ray = ring_.pano_from_view[static_cast<size_t>(view_idx)] * ray_in_view;
   if (!ring_.Owns(view_idx, ray) || !IsTrusted(trusted_, pano_, ray)) return;
   rays_.push_back(ray.cast<float>());
+  strengths_.push_back(static_cast<float>(strength));
   // A pixel subtends less towards the border of a plane picture.
   sizes_rad_.push_back(
       static_cast<float>(size_px * ring_.pixel_rad() * ray_in_view.z() * ray_in_view.z()));
@@ -45,15 +46,19 @@ PanoFeatures FeaturePool::Take(int max_features) {
   const auto descriptor = [&](size_t i) {
     return descriptors_.begin() + static_cast<long>(i * kDimension);
   };
-  std::sort(order.begin(), order.end(), [&](size_t i, size_t j) {
+  const auto is_before = [&](size_t i, size_t j) {
     const auto key = [&](size_t k) {
       return std::make_tuple(-sizes_rad_[k], rays_[k].x(), rays_[k].y(), rays_[k].z());
     };
     if (key(i) != key(j)) return key(i) < key(j);
     return std::lexicographical_compare(descriptor(i), descriptor(i) + kDimension, descriptor(j),
                                         descriptor(j) + kDimension);
-  });
+  };
+  std::sort(order.begin(), order.end(), is_before);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t i, size_t j) { return strengths_[i] > strengths_[j]; });
   order.resize(std::min(order.size(), static_cast<size_t>(max_features)));
+  std::sort(order.begin(), order.end(), is_before);
   PanoFeatures features;
   for (const size_t i : order) {
     features.rays.push_back(rays_[i]);

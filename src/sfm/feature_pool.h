@@ -20,10 +20,12 @@ class FeaturePool {
       : pano_(pano), ring_(ring), trusted_(trusted) {}
 
   /// Takes a feature of a view unless another view owns its direction or the pixel is not trusted.
-  /// `pixel` and `size_px` are the view's; `root_sift` are 128 values from 0 to 1.
-  void Add(int view_idx, const Eigen::Vector2d& pixel, double size_px, const float* root_sift);
+  /// `pixel` and `size_px` are the view's; `root_sift` are 128 values from 0 to 1;
+  /// `strength` says which features are kept where there are too many.
+  void Add(int view_idx, const Eigen::Vector2d& pixel, double size_px, double strength,
+           const float* root_sift);
 
-  /// The largest `max_features`, in the order of size, then direction.
+  /// The strongest `max_features`, in the order of size, then direction.
   [[nodiscard]] PanoFeatures Take(int max_features);
 
  private:
@@ -32,6 +34,7 @@ class FeaturePool {
   const ImageU8& trusted_;
   std::vector<Eigen::Vector3f> rays_;
   std::vector<float> sizes_rad_;
+  std::vector<float> strengths_;
   std::vector<uint8_t> descriptors_;
 };
 

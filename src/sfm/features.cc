@@ -64,7 +64,8 @@ PanoFeatures ExtractFeatures(const ImageU8& panorama, const ImageU8& trusted, co
     for (size_t i = 0; i < keypoints.size(); ++i) {
       const cv::KeyPoint& keypoint = keypoints[i];
       pool.Add(static_cast<int>(k), {keypoint.pt.x + kPixelShift, keypoint.pt.y + kPixelShift},
-               keypoint.size, RootSift(descriptors.ptr<float>(static_cast<int>(i))).data());
+               keypoint.size, keypoint.response,
+               RootSift(descriptors.ptr<float>(static_cast<int>(i))).data());
     }
   }
   return pool.Take(options.max_features);

@@ -3,6 +3,7 @@
 #include "enfilade/sfm/metric_scale.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 
 namespace enfilade {
@@ -14,6 +15,11 @@ constexpr double kUsualCeilingSigma = 0.12;
 constexpr double kMinCeiling_m = 2.2, kMaxCeiling_m = 4.0;
 constexpr double kMinHeight_m = 1.0, kMaxHeight_m = 2.0;
 constexpr double kDisagreement = 3;
+
+// Lintels and the tops of cabinets are level too, but lie below the ceiling.
+double Highest(std::span<const double> ceilings) {
+  return *std::max_element(ceilings.begin(), ceilings.end());
+}
 
 void Combine(MetricScale& scale) {
   double weight = 0, sum = 0;
@@ -43,7 +49,7 @@ void WarnOfImplausible(std::span<const double> ceilings, MetricScale& scale) {
         "cameras stand at {:.2f} m, which is unusual: check --camera-height", height_m));
   }
   if (ceilings.empty()) return;
-  const double ceiling_m = ceilings.front() * height_m;
+  const double ceiling_m = Highest(ceilings) * height_m;
   if (ceiling_m < kMinCeiling_m || ceiling_m > kMaxCeiling_m) {
     scale.warnings.push_back(fmt::format(
         "rooms come out {:.2f} m high, which is unusual: check --camera-height", ceiling_m));
@@ -62,7 +68,7 @@ MetricScale FindMetricScale(std::optional<double> given_height_m, std::span<cons
     scale.cues.push_back({"usual camera height", options.assumed_height_m, kUsualHeightSigma});
   }
   if (!ceilings.empty()) {
-    scale.cues.push_back({"usual height of rooms", options.assumed_ceiling_m / ceilings.front(),
+    scale.cues.push_back({"usual height of rooms", options.assumed_ceiling_m / Highest(ceilings),
                           kUsualCeilingSigma});
   }
   Combine(scale);

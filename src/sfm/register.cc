@@ -60,6 +60,8 @@ std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features,
   return pairs;
 }
 
+constexpr double kWeakLog10Chance = -10;
+
 // Lengths from floor and ceiling, then made to agree with each other.
 void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
   std::vector<std::vector<LengthVote>> votes(pairs.size());
@@ -71,6 +73,12 @@ void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
   const double ceiling = FindCeiling(votes);
   for (size_t k = 0; k < pairs.size(); ++k) SetLength(votes[k], ceiling, pairs[k]);
   SolveLengths(CollectLengthRatios(pairs, level), pairs);
+  // A weak pair whose points lie on neither floor nor ceiling and that shares none with others is
+  // more often false than true.
+  for (PanoPair& pair : pairs) {
+    const bool is_weak = pair.log10_chance > kWeakLog10Chance && pair.length <= 0;
+    if (pair.verdict == PairVerdict::kAccepted && is_weak) pair.verdict = PairVerdict::kChance;
+  }
 }
 
 // Heights at which many points lie above the cameras.
@@ -79,6 +87,8 @@ std::vector<double> FindCeilings(std::span<const Track> tracks) {
   constexpr int kReach = 2;
   constexpr double kMinPoints = 8;
   constexpr int kApart = 8;
+  constexpr int kSurroundings = 25;
+  constexpr double kProminence = 2;
   const int num_bins = static_cast<int>((kHighest - kLowest) / kBin);
   std::vector<double> counts(static_cast<size_t>(num_bins), 0);
   for (const Track& track : tracks) {
@@ -87,15 +97,37 @@ std::vector<double> FindCeilings(std::span<const Track> tracks) {
       counts[static_cast<size_t>(i)] += 1;
     }
   }
-  std::vector<double> ceilings;
-  while (true) {
-    const auto peak = std::max_element(counts.begin(), counts.end());
-    if (peak == counts.end() || *peak < kMinPoints) break;
-    const int at = static_cast<int>(peak - counts.begin());
-    ceilings.push_back(kLowest + (at + 0.5) * kBin);
-    for (int i = std::max(0, at - kApart); i <= std::min(num_bins - 1, at + kApart); ++i) {
-      counts[static_cast<size_t>(i)] = 0;
+  // Walls have points at all heights: a level plane stands out from what lies about it.
+  const auto background = [&](int at) {
+    double sum = 0, count = 0;
+    for (int i = std::max(0, at - kSurroundings); i <= std::min(num_bins - 1, at + kSurroundings);
+         ++i) {
+      if (std::abs(i - at) <= 2 * kReach) continue;
+      sum += counts[static_cast<size_t>(i)];
+      count += 1;
     }
+    return sum / count;
+  };
+  struct Peak {
+    double count;
+    int bin;
+  };
+  std::vector<Peak> peaks;
+  for (int i = 0; i < num_bins; ++i) {
+    const double count = counts[static_cast<size_t>(i)];
+    if (count >= kMinPoints && count > kProminence * background(i)) peaks.push_back({count, i});
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const Peak& x, const Peak& y) { return x.count > y.count; });
+  std::vector<double> ceilings;
+  std::vector<int> taken;
+  for (const Peak& peak : peaks) {
+    const bool is_near = std::any_of(taken.begin(), taken.end(), [&](int other) {
+      return std::abs(other - peak.bin) <= kApart;
+    });
+    if (is_near) continue;
+    taken.push_back(peak.bin);
+    ceilings.push_back(kLowest + (peak.bin + 0.5) * kBin);
   }
   return ceilings;
 }

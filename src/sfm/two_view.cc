@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -34,8 +35,11 @@ constexpr double kOffHeadingShare = 0.5;
 constexpr int kShifts = 7;
 // Rotations alone are told to this angle; so many of the agreeing matches make it one place.
 constexpr double kOneSpot_rad = DegToRad(1.5);
-constexpr double kSamePlace_rad = DegToRad(1.0);
+constexpr double kSamePlace_rad = DegToRad(3.0);
 constexpr double kSamePlaceShare = 0.8;
+constexpr int kSamePlaceSectors = 5;
+constexpr double kFarParallax_rad = DegToRad(5);
+constexpr double kFarLog10Chance = -15;
 
 double Parallax(const TwoViewGeometry& geometry, const RayPair& rays) {
   const Vector3d b = geometry.a_from_b * rays.second;
@@ -178,6 +182,17 @@ double Log10Chance(double k, double n, double p) {
   return kLog10Hypotheses - n * divergence / std::log(10.0);
 }
 
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double YawOf(const RayPair& rays) {
+  return std::atan2(rays.first.y(), rays.first.x()) - std::atan2(rays.second.y(), rays.second.x());
+}
+
 // The yaw about which most matches agree without any parallax, and how many do.
 std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
   std::pair<Matrix3d, double> best{Matrix3d::Identity(), 0};
@@ -191,14 +206,27 @@ std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
     }
     if (count > best.second) best = {rotation, count};
   }
+  std::vector<double> yaws;
+  const double middle = std::atan2(best.first(1, 0), best.first(0, 0));
+  for (const RayPair& rays : matches) {
+    if ((rays.first - best.first * rays.second).norm() >= kSamePlace_rad) continue;
+    yaws.push_back(WrapPi(YawOf(rays) - middle));
+  }
+  best.first = Eigen::AngleAxisd(middle + Median(yaws), Vector3d::UnitZ()).toRotationMatrix();
   return best;
 }
 
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+// Of eight sectors of azimuth those in which a rotation brings at least three matches together.
+// What is far away behind a window shows no parallax either, but lies in few of them.
+int NumSectors(const Matrix3d& rotation, std::span<const RayPair> matches) {
+  std::array<int, 8> counts{};
+  for (const RayPair& rays : matches) {
+    if ((rays.first - rotation * rays.second).norm() >= kSamePlace_rad) continue;
+    const double azimuth = std::atan2(rays.first.y(), rays.first.x());
+    ++counts[static_cast<size_t>(std::min(7.0, (azimuth + kPi) / (2 * kPi) * 8))];
+  }
+  return static_cast<int>(
+      std::count_if(counts.begin(), counts.end(), [](int n) { return n >= 3; }));
 }
 
 struct Judged {
@@ -284,14 +312,17 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
   pair.parallax_rad = Median(parallaxes);
   const auto [rotation, num_turned] = BestRotation(rays);
   const double num_inliers = static_cast<double>(pair.inliers.size());
-  if (num_turned >= options.min_inliers && num_turned >= kSamePlaceShare * num_inliers) {
+  if (num_turned >= options.min_inliers && num_turned >= kSamePlaceShare * num_inliers &&
+      NumSectors(rotation, rays) >= kSamePlaceSectors) {
     pair.verdict = PairVerdict::kSamePlace;
     pair.a_from_b = rotation;
   } else if (num_inliers < options.min_inliers) {
     pair.verdict = PairVerdict::kFewMatches;
   } else {
-    pair.verdict = pair.log10_chance <= options.max_log10_chance ? PairVerdict::kAccepted
-                                                                 : PairVerdict::kChance;
+    // What stands far away, as behind windows, agrees with nearly any direction.
+    const bool is_far = pair.parallax_rad < kFarParallax_rad;
+    const double bound = is_far ? kFarLog10Chance : options.max_log10_chance;
+    pair.verdict = pair.log10_chance <= bound ? PairVerdict::kAccepted : PairVerdict::kChance;
   }
   return pair;
 }

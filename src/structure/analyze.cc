@@ -100,14 +100,10 @@ class StoreySolver {
         families_(UsedFamilies(options)),
         works_(members_.size()) {}
 
-  void FindFloor() {
+  void Solve() {
     LoadPanoramas();
     if (options_.use_correlation) Correlate();
     EstimateFloorHeight();
-  }
-
-  void Solve() {
-    FindFloor();
     ScoreLines(false);
     FindPaths(false);
     if (options_.use_correlation) Correlate();
@@ -143,7 +139,6 @@ class StoreySolver {
     return profile;
   }
 
-  [[nodiscard]] double floor_z() const { return floor_.floor_z; }
   [[nodiscard]] const DistanceBins& bins() const { return bins_; }
   [[nodiscard]] const std::vector<int>& members() const { return members_; }
 
@@ -455,31 +450,7 @@ class StoreySolver {
   FloorEstimate floor_;
 };
 
-std::vector<std::vector<int>> ViewsOfStoreys(const Scene& scene) {
-  std::vector<std::vector<int>> members;
-  for (size_t i = 0; i < scene.views.size(); ++i) {
-    const size_t storey = static_cast<size_t>(scene.views[i].storey_idx);
-    if (storey >= members.size()) members.resize(storey + 1);
-    members[storey].push_back(static_cast<int>(i));
-  }
-  for (const std::vector<int>& views : members) ENFILADE_CHECK(!views.empty());
-  return members;
-}
-
 }  // namespace
-
-std::vector<double> FindFloors(const Scene& scene, const StructureOptions& options,
-                               RunContext& context) {
-  const double heading_rad = EstimateHeading(scene, options, context);
-  const Rigid3 home_from_world{RotationZ(-heading_rad), Eigen::Vector3d::Zero()};
-  std::vector<double> floors;
-  for (std::vector<int>& members : ViewsOfStoreys(scene)) {
-    StoreySolver solver(scene, std::move(members), home_from_world, options, context);
-    solver.FindFloor();
-    floors.push_back(solver.floor_z());
-  }
-  return floors;
-}
 
 StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
                                  RunContext& context) {
@@ -496,7 +467,14 @@ StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& opt
   context.log().Info(
       fmt::format("heading of the walls {:.2f} degrees", RadToDeg(structure.heading_rad)));
 
-  for (std::vector<int>& members : ViewsOfStoreys(scene)) {
+  int num_storeys = 0;
+  for (const View& view : scene.views) num_storeys = std::max(num_storeys, view.storey_idx + 1);
+  for (int s = 0; s < num_storeys; ++s) {
+    std::vector<int> members;
+    for (size_t i = 0; i < scene.views.size(); ++i) {
+      if (scene.views[i].storey_idx == s) members.push_back(static_cast<int>(i));
+    }
+    ENFILADE_CHECK(!members.empty());
     StoreySolver solver(scene, std::move(members), structure.home_from_world, options, context);
     solver.Solve();
     structure.storeys.push_back(solver.storey());

@@ -18,6 +18,8 @@ class Workspace {
   [[nodiscard]] std::filesystem::path scene_file() const { return root_ / "scene.json"; }
   /// What finding poses leaves: COLMAP's database of features.
   [[nodiscard]] std::filesystem::path sfm_folder() const { return root_ / "sfm"; }
+  /// Which pictures see each other.
+  [[nodiscard]] std::filesystem::path connections_folder() const { return root_ / "connections"; }
   /// Poses and points for other programs.
   [[nodiscard]] std::filesystem::path sparse_folder() const { return root_ / "sparse"; }
   [[nodiscard]] std::filesystem::path points_file() const { return root_ / "points.ply"; }

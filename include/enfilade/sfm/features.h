@@ -19,15 +19,15 @@ enum class FeatureSource { kAuto, kColmap, kOpenCv };
 
 struct FeatureOptions {
   FeatureSource source = FeatureSource::kAuto;
-  int max_features = 8000;
-  double min_contrast = 0.01;
+  int max_features = 7000;
+  double min_contrast = 0.004;
   std::string colmap_program;
   bool keep_colmap_views = false;
 
   void Visit(OptionVisitor& v) {
     v("source", source, "Program that finds the features; auto: COLMAP where it is installed.");
-    v("max_features", max_features, "Features kept of a panorama, those of largest scale first.",
-      {100.0, 100000.0});
+    v("max_features", max_features,
+      "Features kept of a panorama: the strongest, with COLMAP the largest.", {100.0, 100000.0});
     v("min_contrast", min_contrast,
       "Least contrast of a feature (0 … 1): lower finds more on plain walls.", {0.001, 0.2});
     v("colmap_program", colmap_program, "COLMAP's program; empty: `colmap` on the PATH.");

@@ -94,9 +94,4 @@ struct StructureReport {
 [[nodiscard]] StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
                                                RunContext& context);
 
-/// The heights of the floors of all storeys in world, found as AnalyzeStructure finds them, without
-/// the rest: with poses whose scale is in doubt it tells how high the cameras stand in their unit.
-[[nodiscard]] std::vector<double> FindFloors(const Scene& scene, const StructureOptions& options,
-                                             RunContext& context);
-
 }  // namespace enfilade
