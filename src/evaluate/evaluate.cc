@@ -3,6 +3,8 @@
 #include "enfilade/evaluate/evaluate.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
@@ -130,6 +132,42 @@ void AddModelError(const ModelErrorFigures& model, MetricReport& figures) {
   figures["normal_median_deg"] = model.normal_median_deg;
 }
 
+// With poses in several components, which lie anyhow to each other: the storeys of the largest one
+// against the true rooms in which its cameras stand.
+void EvaluateLargestPart(const Floorplan& floorplan, const JudgedPlan& truth_plan,
+                         MetricReport& figures) {
+  std::map<int, int> size_of;
+  for (const PlanCamera& camera : floorplan.cameras) ++size_of[camera.component_idx];
+  if (size_of.size() < 2) return;
+  const int largest = std::max_element(size_of.begin(), size_of.end(), [](auto& a, auto& b) {
+                        return a.second < b.second;
+                      })->first;
+  std::set<int> storeys;
+  std::vector<Eigen::Vector2d> positions;
+  for (const PlanCamera& camera : floorplan.cameras) {
+    if (camera.component_idx != largest) continue;
+    storeys.insert(camera.storey_idx);
+    positions.push_back(camera.world_from_cam.translation.head<2>());
+  }
+  Floorplan part = floorplan;
+  for (size_t i = 0; i < part.storeys.size(); ++i) {
+    if (!storeys.contains(static_cast<int>(i))) part.storeys[i] = Storey{};
+  }
+  JudgedPlan truth_part;
+  for (const JudgedRoom& room : truth_plan.rooms) {
+    const bool is_entered =
+        std::any_of(positions.begin(), positions.end(), [&](const Eigen::Vector2d& p) {
+          return std::any_of(room.region.begin(), room.region.end(),
+                             [&](const Polygon2& polygon) { return Contains(polygon, p); });
+        });
+    if (is_entered) truth_part.rooms.push_back(room);
+  }
+  if (truth_part.rooms.empty()) return;
+  const RegionFigures regions = EvaluateRegions(JudgedPlanOf(part), truth_part);
+  figures["area_iou_net_largest"] = regions.iou_net;
+  figures["area_iou_gross_largest"] = regions.iou_gross;
+}
+
 void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricReport& figures) {
   const JudgedPlan result_plan = JudgedPlanOf(floorplan);
   const JudgedPlan truth_plan = JudgedPlanOf(truth);
@@ -137,6 +175,7 @@ void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricRe
     AddRegions(EvaluateRegions(result_plan, truth_plan), figures);
     AddRooms(EvaluateRooms(result_plan, truth_plan), figures);
     AddStructured3d(EvaluateStructured3d(result_plan, truth_plan), figures);
+    EvaluateLargestPart(floorplan, truth_plan, figures);
   }
   AddWalls(EvaluateWalls(result_plan, truth_plan), figures);
   AddDoors(EvaluateDoors(result_plan, truth_plan), figures);

@@ -18,6 +18,8 @@ namespace {
 constexpr FigureInfo kFigures[] = {
     {"area_iou_net", "area", FigureUnit::kShare, FigureSense::kHigherIsBetter},
     {"area_iou_gross", "area", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"area_iou_net_largest", "area", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"area_iou_gross_largest", "area", FigureUnit::kShare, FigureSense::kHigherIsBetter},
     {"area_error_gross", "area", FigureUnit::kShare, FigureSense::kLowerIsBetter},
     {"area_net_m2", "area", FigureUnit::kSquareMetres, FigureSense::kNeutral},
     {"area_gross_m2", "area", FigureUnit::kSquareMetres, FigureSense::kNeutral},

@@ -181,9 +181,11 @@ PanoFeatures ReadFeatures(const ColmapDatabase& database, const View& pano, cons
         root_sift[j] = found.descriptors[i * kDescriptorSize + j] / kColmapDescriptorScale;
       }
       // Diameters as OpenCV has them: twice the standard deviation.
-      // COLMAP does not say how strong a feature is; large ones are seen from farther away.
-      pool.Add(static_cast<int>(k), found.pixels[i], 2 * found.scales_px[i], found.scales_px[i],
-               root_sift.data());
+      // COLMAP does not say how strong a feature is; large ones are seen from farther away. Size on
+      // the sphere, as a pixel subtends less towards the border of a view.
+      const double off_axis = plan.ring.camera.RayFromPixel(found.pixels[i]).z();
+      pool.Add(static_cast<int>(k), found.pixels[i], 2 * found.scales_px[i],
+               found.scales_px[i] * off_axis * off_axis, root_sift.data());
     }
   }
   return pool.Take(max_features);

@@ -133,7 +133,8 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const std::filesystem::p
   ENFILADE_CHECK(!scene.views.empty());
   const Seen seen = LookAtPictures(scene, options, work_folder, context);
   PlaceReport report;
-  report.registration = RegisterFeatures(seen.features, seen.gravity, options.poses, context);
+  report.registration =
+      RegisterFeatures(seen.features, seen.gravity, options.registration, context);
   report.scale =
       FindMetricScale(scene.camera_height_m, report.registration.ceilings, options.scale);
   report.warnings = report.scale.warnings;

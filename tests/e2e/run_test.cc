@@ -241,7 +241,7 @@ TEST(Synth, MakesAVideoThatRunRefuses) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_GT(fs::file_size(folder / "home/video.avi"), 5000u);
   EXPECT_TRUE(fs::exists(folder / "home/truth/frames.csv"));
-  ExpectRefusal(RunProgram({"run", folder / "home", "-o", folder / "out"}), "has no poses");
+  ExpectRefusal(RunProgram({"run", folder / "home", "-o", folder / "out"}), "has no pictures");
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 

@@ -130,12 +130,39 @@ TEST_F(SceneReaderTest, RefusesANameThatIsNoUtf8) {
 
 TEST_F(SceneReaderTest, RefusesWhatIsNoFolderOfPosedPictures) {
   EXPECT_THAT(SceneRefusal(folder / "absent"), HasSubstr("cannot be listed"));
-  EXPECT_THAT(SceneRefusal(folder / "images"), HasSubstr("has no poses"));
   WriteFrames({});
   EXPECT_THAT(SceneRefusal(folder), HasSubstr("has no poses"));
+}
+
+TEST_F(SceneReaderTest, ReadsPicturesAlone) {
   SceneReadOptions options;
   options.poses = "none";
-  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("from the pictures alone"));
+  options.camera_height_m = 1.4;
+  fs::copy_file(folder / "images" / "a.png", folder / "images" / "copy.png");
+  const SceneReadReport report = ReadTestScene(folder, options);
+  ASSERT_EQ(report.scene.views.size(), 2U);
+  EXPECT_EQ(report.scene.pose_source, PoseSource::kEstimated);
+  EXPECT_EQ(report.scene.camera_height_m, 1.4);
+  EXPECT_LT(report.scene.views[0].sha256, report.scene.views[1].sha256);
+  EXPECT_EQ(report.num_duplicates, 1);
+  EXPECT_EQ(report.num_pictures_found, 3);
+  // Where there are no poses beside the pictures it is the same.
+  EXPECT_EQ(ReadTestScene(folder / "images").scene.pose_source, PoseSource::kEstimated);
+}
+
+TEST_F(SceneReaderTest, LeavesOutWhatIsNoWholePanorama) {
+  WriteTestPicture(folder / "images" / "preview.png", 30, 16, 12);
+  SceneReadOptions options;
+  options.poses = "none";
+  const SceneReadReport report = ReadTestScene(folder, options);
+  EXPECT_EQ(report.scene.views.size(), 2U);
+  EXPECT_THAT(report.warnings, ElementsAre(AllOf(HasSubstr("preview.png is 16 x 12 pixels"),
+                                                 HasSubstr("left out"))));
+  fs::remove(folder / "images" / "a.png");
+  fs::remove(folder / "images" / "b.png");
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("has no whole panoramas"));
+  fs::remove(folder / "images" / "preview.png");
+  EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("has no pictures"));
 }
 
 TEST_F(SceneReaderTest, TakesTheFirstPoseSourceUnlessToldOtherwise) {

@@ -18,13 +18,13 @@ namespace enfilade {
 
 struct PlaceOptions {
   FeatureOptions features;
-  RegisterOptions poses;
+  RegisterOptions registration;
   ScaleOptions scale;
   StandOptions stand;
 
   void Visit(OptionVisitor& v) {
     v("features", features, "Features of the pictures.");
-    v("poses", poses, "Poses from features.");
+    v("registration", registration, "Poses from features.");
     v("scale", scale, "Metres.");
     v("stand", stand, "The camera's stand.");
   }

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/sfm/place_panoramas.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "enfilade/base/file.h"
+#include "enfilade/base/hash.h"
+#include "enfilade/geometry/angles.h"
+#include "enfilade/image/codec.h"
+#include "enfilade/synthetic/home.h"
+#include "enfilade/synthetic/write_home.h"
+#include "tests/support/temp_folder.h"
+
+namespace enfilade {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A made home, its panoramas on disk and what is to be found.
+class PlacePanoramasTest : public testing::Test {
+ protected:
+  void Make(double tilt_deg) {
+    HomeOptions options;
+    options.seed = 12;
+    options.preset = HomePreset::kRoom;
+    options.tilt_deg = tilt_deg;
+    home = MakeHome(options);
+    WriteHomeOptions writing;
+    writing.width = 1024;
+    WriteHome(temp.path(), home, writing, context);
+  }
+
+  // The pictures without poses, in the order of the home's cameras.
+  Scene Pictures() const {
+    Scene scene;
+    for (const HomeCamera& camera : home.cameras) {
+      View view;
+      view.picture = camera.picture;
+      view.path = temp.path() / "panos" / camera.picture;
+      view.sha256 = Sha256OfFile(view.path);
+      const ImageSize size = ReadImageSize(view.path);
+      view.camera = EquirectangularCamera(size.width, size.height);
+      scene.views.push_back(view);
+    }
+    scene.camera_height_m = HeightOfCameras();
+    return scene;
+  }
+
+  double HeightOfCameras() const {
+    double sum = 0;
+    for (const HomeCamera& camera : home.cameras) {
+      sum += camera.home_from_cam.translation.z() - home.RoomById(camera.room_id).floor_z;
+    }
+    return sum / static_cast<double>(home.cameras.size());
+  }
+
+  // OpenCV's features, so that the test is the same where COLMAP is installed.
+  PlaceReport Place(Scene& scene, RunContext& with) const {
+    PlaceOptions options;
+    options.features.source = FeatureSource::kOpenCv;
+    return PlacePanoramas(options, temp.path() / "sfm", with, scene);
+  }
+
+  double WorstTilt_deg(const Scene& scene) const {
+    double worst = 0;
+    for (size_t i = 0; i < scene.views.size(); ++i) {
+      const Eigen::Vector3d up = scene.views[i].world_from_cam.rotation.row(2);
+      const Eigen::Vector3d true_up = home.WorldFromCamera(static_cast<int>(i)).rotation.row(2);
+      worst = std::max(worst, RadToDeg(std::atan2(up.cross(true_up).norm(), up.dot(true_up))));
+    }
+    return worst;
+  }
+
+  TempFolder temp;
+  Home home;
+  RunContext context{2};
+};
+
+TEST_F(PlacePanoramasTest, PlacesTheCamerasOfARoom) {
+  Make(0);
+  ASSERT_EQ(home.cameras.size(), 2U);
+  Scene scene = Pictures();
+  const PlaceReport report = Place(scene, context);
+  ASSERT_EQ(scene.views[1].component_idx, 0);
+  const double true_m =
+      (home.WorldFromCamera(0).translation - home.WorldFromCamera(1).translation).norm();
+  const double found_m =
+      (scene.views[0].world_from_cam.translation - scene.views[1].world_from_cam.translation)
+          .norm();
+  EXPECT_NEAR(found_m, true_m, 0.05 * true_m);
+  EXPECT_LT(WorstTilt_deg(scene), 0.1);
+  EXPECT_GT(scene.points.size(), 50U);
+  for (const ScenePoint& point : scene.points) {
+    ASSERT_EQ(point.pixels.size(), point.view_idx.size());
+    for (size_t k = 0; k < point.pixels.size(); ++k) {
+      const View& view = scene.views[static_cast<size_t>(point.view_idx[k])];
+      const Eigen::Vector3d to_point = view.world_from_cam.Inverse() * point.position;
+      const Eigen::Vector3d ray = view.camera.RayFromPixel(point.pixels[k].cast<double>());
+      EXPECT_LT(ray.cross(to_point.normalized()).norm(), 0.01);
+    }
+  }
+}
+
+TEST_F(PlacePanoramasTest, FindsTheTiltOfCameras) {
+  Make(5);
+  Scene scene = Pictures();
+  static_cast<void>(Place(scene, context));
+  EXPECT_LT(WorstTilt_deg(scene), 0.2);
+}
+
+TEST_F(PlacePanoramasTest, IsTheSameForAnyNumberOfThreads) {
+  Make(0);
+  RunContext one(1);
+  Scene with_two = Pictures(), with_one = Pictures();
+  static_cast<void>(Place(with_two, context));
+  static_cast<void>(Place(with_one, one));
+  for (size_t i = 0; i < with_one.views.size(); ++i) {
+    EXPECT_EQ(with_one.views[i].world_from_cam.Matrix(), with_two.views[i].world_from_cam.Matrix());
+  }
+  ASSERT_EQ(with_one.points.size(), with_two.points.size());
+  for (size_t i = 0; i < with_one.points.size(); ++i) {
+    EXPECT_EQ(with_one.points[i].position, with_two.points[i].position);
+  }
+}
+
+TEST_F(PlacePanoramasTest, PutsASinglePictureAtTheCameraHeight) {
+  Make(0);
+  Scene scene = Pictures();
+  scene.views.resize(1);
+  static_cast<void>(Place(scene, context));
+  EXPECT_NEAR(scene.views[0].world_from_cam.translation.z(), HeightOfCameras(), 1e-9);
+  EXPECT_EQ(scene.views[0].component_idx, 0);
+}
+
+}  // namespace
+}  // namespace enfilade
