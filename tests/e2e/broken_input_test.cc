@@ -62,10 +62,20 @@ TEST_F(BrokenInput, FileInsteadOfFolder) {
   ExpectRefusedAtOnce(input());
 }
 
-TEST_F(BrokenInput, PicturesWithoutPoses) {
+TEST_F(BrokenInput, NothingButPoses) {
+  for (const auto& entry : fs::directory_iterator(input())) {
+    if (entry.path().extension() == ".png") fs::remove(entry.path());
+  }
+  ExpectRefusedAtOnce("p1.png");
+  ExpectRefusedAtOnce("has no pictures", {"--poses", "none"});
+}
+
+// Grey pictures show nothing that could tie them: each is a component of its own, none is dropped.
+TEST_F(BrokenInput, PicturesThatNothingTies) {
   fs::remove(input() / "poses.csv");
-  ExpectRefusedAtOnce("poses");
-  ExpectRefusedAtOnce("poses", {"--poses", "none"});
+  const ProgramResult result = Run({"--sfm.features.source", "opencv"});
+  EXPECT_NE(result.exit_code, 2) << result.err;
+  EXPECT_TRUE(fs::exists(output() / "connections/connections.html")) << result.err;
 }
 
 TEST_F(BrokenInput, PosesWithoutPictures) {

@@ -16,6 +16,22 @@ EvaluationReport Judge(const EvaluationInput& input, const GroundTruth& truth) {
   return Evaluate(input, truth, {}, context);
 }
 
+TEST(Evaluate, JudgesTheLargestComponentAlone) {
+  SmallHome home = MakeSmallHome();
+  // A third part of the home is known, anywhere: on a storey of its own.
+  Storey apart;
+  apart.rooms.push_back(home.plan.storeys[0].rooms.back());
+  home.plan.storeys[0].rooms.pop_back();
+  home.plan.storeys.push_back(apart);
+  home.plan.cameras[2].component_idx = home.scene.views[2].component_idx = 1;
+  home.plan.cameras[2].storey_idx = home.scene.views[2].storey_idx = 1;
+  EvaluationInput input{&home.scene, nullptr, &home.plan};
+  const EvaluationReport report = Judge(input, home.truth);
+  ASSERT_TRUE(report.figures.at("area_iou_gross_largest"));
+  EXPECT_NEAR(*report.figures.at("area_iou_net_largest"), 1, 1e-9);
+  EXPECT_NEAR(*report.figures.at("area_iou_gross_largest"), 1, 1e-9);
+}
+
 TEST(Evaluate, TruthAgainstItselfIsPerfect) {
   const SmallHome home = MakeSmallHome();
   const EvaluationReport report = Judge({&home.scene, &home.structure, &home.plan}, home.truth);

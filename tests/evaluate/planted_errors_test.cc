@@ -82,6 +82,8 @@ TEST_F(PlantedErrors, WithoutAnyEveryFigureIsPerfect) {
   const Expected perfect = {
       {"area_iou_net", Value{1}},
       {"area_iou_gross", Value{1}},
+      {"area_iou_net_largest", std::nullopt},  // one component
+      {"area_iou_gross_largest", std::nullopt},
       {"area_error_gross", Value{0}},
       {"area_net_m2", Value{kNet_m2}},
       {"area_gross_m2", Value{kGross_m2, 0.01}},

@@ -61,8 +61,7 @@ struct PairDepths {
 /// Upright model: for every yaw on a grid each match votes for the level directions of the baseline
 /// that it allows; the best candidates are refined (rotation with a soft tilt prior, direction with
 /// a soft prior on its slope; Cauchy's loss) and judged by the matches that agree and lie in front
-/// of both cameras, each counted by its parallax. Where that finds nothing, five matches at a time
-/// give candidates without any prior (Nistér, PAMI 2004), drawn with a seed of their own.
+/// of both cameras, each counted by its parallax.
 ///
 /// The result is accepted when random pairs of the same features would hardly agree as well (an
 /// a-contrario test after Moisan and Stival, IJCV 2004, whose chance of a single agreement is
