@@ -18,7 +18,7 @@ enum class FeatureSource { kAuto, kColmap, kOpenCv };
 [[nodiscard]] std::span<const std::string_view> EnumNames(FeatureSource);
 
 struct FeatureOptions {
-  FeatureSource source = FeatureSource::kAuto;
+  FeatureSource source = FeatureSource::kOpenCv;
   int max_features = 7000;
   double min_contrast = 0.004;
   std::string colmap_program;
