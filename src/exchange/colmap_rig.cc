@@ -57,6 +57,30 @@ size_t ColmapRig::SlotOf(const Vector3d& ray_in_pano) const {
   return static_cast<size_t>(nearest - slots.begin());
 }
 
+namespace {
+
+// COLMAP 3.8's rig_bundle_adjuster aborts over a camera that shows no point.
+void DropBlindSlots(const Scene& scene, ColmapRig& rig) {
+  std::vector<bool> is_used(rig.slots.size(), false);
+  for (const ScenePoint& point : scene.points) {
+    for (size_t k = 0; k < point.view_idx.size(); ++k) {
+      const View& view = scene.views[static_cast<size_t>(point.view_idx[k])];
+      if (view.camera.model != CameraModel::kEquirectangular) continue;
+      is_used[rig.SlotOf(point.pixels.empty()
+                             ? Vector3d(view.world_from_cam.Inverse() * point.position)
+                             : view.camera.RayFromPixel(point.pixels[k].cast<double>()))] = true;
+    }
+  }
+  if (std::find(is_used.begin(), is_used.end(), true) == is_used.end()) return;
+  std::vector<ColmapRigSlot> seeing;
+  for (size_t k = 0; k < is_used.size(); ++k) {
+    if (is_used[k]) seeing.push_back(std::move(rig.slots[k]));
+  }
+  rig.slots = std::move(seeing);
+}
+
+}  // namespace
+
 ColmapRig RigFor(const Scene& scene) {
   int widest = 0;
   for (const View& view : scene.views) {
@@ -78,6 +102,7 @@ ColmapRig RigFor(const Scene& scene) {
   for (size_t k = 0; k < axes.size(); ++k) {
     rig.slots.push_back({fmt::format("view_{}/", k), axes[k]});
   }
+  DropBlindSlots(scene, rig);
   return rig;
 }
 

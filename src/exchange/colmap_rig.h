@@ -28,7 +28,8 @@ struct ColmapRig {
 
 /// Eight views of 90° all round, each 45° to the right of the one before and the first along the
 /// panoramas' forward axis, then one up and one down. As fine as the widest panorama at the centre
-/// of the views. The scene must hold a panorama.
+/// of the views. Where the scene has points, views that show none are left out, as COLMAP 3.8
+/// cannot adjust them. The scene must hold a panorama.
 [[nodiscard]] ColmapRig RigFor(const Scene& scene);
 
 /// Names, one a view, that are distinct and hold no white space: of panoramas what follows the
