@@ -295,6 +295,7 @@ TEST(FeaturesWithoutColmap, WantTheProgramWhereNothingIsKnown) {
 TEST(FeaturesWithoutColmap, SourceIsColmapWhereItRuns) {
   const TempFolder folder;
   FeatureOptions options;
+  options.source = FeatureSource::kAuto;
   options.colmap_program = folder / "colmap";
   EXPECT_EQ(ChooseFeatureSource(options), FeatureSource::kOpenCv);
   (void)FakeProgram(folder / "colmap", "exit 1");
