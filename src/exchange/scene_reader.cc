@@ -284,7 +284,8 @@ void ReportUnposed(const PictureFiles& files, const std::vector<fs::path>& posed
 SceneReadReport ReadPicturesAlone(const fs::path& folder, const PictureFiles& files,
                                   const SceneReadOptions& options, RunContext& context) {
   SceneReadReport report;
-  PoseFile none{.path = folder, .base = folder, .source = PoseSource::kEstimated};
+  PoseFile none;
+  none.source = PoseSource::kEstimated;
   std::vector<fs::path> paths;
   for (const fs::path& path : files.all()) {
     const ImageSize size = ReadImageSize(path);

@@ -105,7 +105,9 @@ std::vector<LineSegment> FindLineSegments(const ImageU8& panorama, const ImageU8
 
 Gravity FindGravity(std::span<const LineSegment> segments, const Vector3d& expected_up) {
   const std::vector<Line> lines = NearVertical(segments, expected_up);
-  Gravity gravity{expected_up, kUnknownSigma_rad, 0};
+  Gravity gravity;
+  gravity.up_in_cam = expected_up;
+  gravity.sigma_rad = kUnknownSigma_rad;
   if (lines.size() < kMinLines) return gravity;
   Vector3d up = expected_up;
   const Matrix3d expected = kExpectedWeight_rad * (Matrix3d::Identity() - up * up.transpose());
@@ -119,7 +121,10 @@ Gravity FindGravity(std::span<const LineSegment> segments, const Vector3d& expec
   const int num_lines = static_cast<int>(std::count_if(lines.begin(), lines.end(), agrees));
   const bool is_near = up.dot(expected_up) > std::cos(kMaxLean_rad);
   if (num_lines < kMinLines || !is_near) return gravity;
-  return {up, std::max(kMinSigma_rad, bound_rad / std::sqrt(num_lines)), num_lines};
+  gravity.up_in_cam = up;
+  gravity.sigma_rad = std::max(kMinSigma_rad, bound_rad / std::sqrt(num_lines));
+  gravity.num_lines = num_lines;
+  return gravity;
 }
 
 Matrix3d LevelFromCam(const Gravity& gravity) {
