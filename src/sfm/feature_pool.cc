@@ -7,6 +7,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "src/sfm/pixel_of_ray.h"
+
 namespace enfilade {
 namespace {
 
@@ -14,20 +16,13 @@ constexpr size_t kDimension = kDescriptorSize;
 constexpr float kScale = kDescriptorScale;
 constexpr float kLargest = kMaxDescriptorValue;
 
-bool IsTrusted(const ImageU8& trusted, const Camera& pano, const Eigen::Vector3d& ray) {
-  const Eigen::Vector2d pixel = *pano.PixelFromRay(ray);
-  const int row = std::clamp(static_cast<int>(pixel.y()), 0, trusted.rows() - 1);
-  const int col = std::clamp(static_cast<int>(pixel.x()), 0, trusted.cols() - 1);
-  return trusted(row, col) != 0;
-}
-
 }  // namespace
 
 void FeaturePool::Add(int view_idx, const Eigen::Vector2d& pixel, double size_px, double strength,
                       const float* root_sift) {
   const Eigen::Vector3d ray_in_view = ring_.camera.RayFromPixel(pixel);
   const Eigen::Vector3d ray = ring_.pano_from_view[static_cast<size_t>(view_idx)] * ray_in_view;
-  if (!ring_.Owns(view_idx, ray) || !IsTrusted(trusted_, pano_, ray)) return;
+  if (!ring_.Owns(view_idx, ray) || *PixelOfRay(trusted_, pano_, ray) == 0) return;
   rays_.push_back(ray.cast<float>());
   strengths_.push_back(static_cast<float>(strength));
   // A pixel subtends less towards the border of a plane picture.

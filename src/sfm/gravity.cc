@@ -11,6 +11,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/scene/virtual_view.h"
+#include "src/sfm/pixel_of_ray.h"
 #include "src/sfm/view_ring.h"
 
 namespace enfilade {
@@ -32,12 +33,6 @@ constexpr int kMinLines = 3;
 // Weight of the expected direction beside the lengths of the lines: decides where all lines lie in
 // one plane, and turns no direction that lines tell by more than some thousandths of a degree.
 constexpr double kExpectedWeight_rad = 1e-3;
-
-bool IsTrusted(const ImageU8& trusted, const Camera& camera, const Vector3d& ray) {
-  const Eigen::Vector2d pixel = *camera.PixelFromRay(ray);
-  return trusted(std::clamp(static_cast<int>(pixel.y()), 0, trusted.rows() - 1),
-                 std::clamp(static_cast<int>(pixel.x()), 0, trusted.cols() - 1)) != 0;
-}
 
 struct Line {
   Vector3d normal;
@@ -95,7 +90,7 @@ std::vector<LineSegment> FindLineSegments(const ImageU8& panorama, const ImageU8
       const LineSegment segment{ray(line[0], line[1]), ray(line[2], line[3])};
       const Vector3d middle = (segment.from + segment.to).normalized();
       if (segment.Length_rad() >= kMinLength_rad && ring.Owns(static_cast<int>(k), middle) &&
-          IsTrusted(trusted, camera, middle)) {
+          *PixelOfRay(trusted, camera, middle) != 0) {
         segments.push_back(segment);
       }
     }

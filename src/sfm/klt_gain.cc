@@ -8,18 +8,14 @@
 
 #include "enfilade/base/check.h"
 
+#include "src/sfm/median.h"
+
 namespace enfilade {
 namespace {
 
 constexpr int kNumReweightings = 10;
 // Deviations below this are not held against a window: far below what matters.
 constexpr double kMinScale = 1e-4;
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 

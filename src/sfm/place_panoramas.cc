@@ -11,6 +11,7 @@
 #include "enfilade/sfm/colmap_features.h"
 #include "enfilade/sfm/gravity.h"
 #include "src/sfm/component_heading.h"
+#include "src/sfm/pixel_of_ray.h"
 
 namespace enfilade {
 namespace {
@@ -30,10 +31,8 @@ std::vector<Rgb> ColoursOf(const PanoFeatures& features, const ImageU8& picture,
                            const Camera& camera) {
   std::vector<Rgb> colours;
   for (const Eigen::Vector3f& ray : features.rays) {
-    const Eigen::Vector2d pixel = *camera.PixelFromRay(ray.cast<double>());
-    const int row = std::clamp(static_cast<int>(pixel.y()), 0, picture.rows() - 1);
-    const int col = std::clamp(static_cast<int>(pixel.x()), 0, picture.cols() - 1);
-    colours.emplace_back(picture(row, col, 0), picture(row, col, 1), picture(row, col, 2));
+    const uint8_t* rgb = PixelOfRay(picture, camera, ray.cast<double>());
+    colours.emplace_back(rgb[0], rgb[1], rgb[2]);
   }
   return colours;
 }

@@ -11,6 +11,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/two_view.h"
 #include "enfilade/sfm/view_graph.h"
+#include "src/sfm/median.h"
 #include "src/sfm/pair_graph.h"
 
 namespace enfilade {
@@ -36,12 +37,6 @@ constexpr int kIterations = 30;
 // deviations.
 constexpr double kLossScale = 2, kWidestScale = 64, kNarrowing = 0.8;
 constexpr double kSpring = 1e-9;
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Distance in baselines from view `view_idx` to each of its features that the pair matches.
 std::map<int, double> DistancesFrom(int view_idx, const PanoPair& pair,

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "enfilade/geometry/angles.h"
+#include "src/sfm/median.h"
 #include "src/sfm/upright_votes.h"
 
 namespace enfilade {
@@ -180,13 +181,6 @@ double Log10Chance(double k, double n, double p) {
   double divergence = q * std::log(q / p);
   if (q < 1) divergence += (1 - q) * std::log((1 - q) / (1 - p));
   return kLog10Hypotheses - n * divergence / std::log(10.0);
-}
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double YawOf(const RayPair& rays) {
