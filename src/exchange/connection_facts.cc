@@ -146,6 +146,9 @@ ConnectionFacts CollectConnectionFacts(const Scene& scene, const ConnectionRepor
       ++facts.num_left_out;
     }
   }
+  const auto num_views = static_cast<int64_t>(scene.views.size());
+  facts.num_not_matched =
+      num_views * (num_views - 1) / 2 - static_cast<int64_t>(report.pairs.size());
   std::ranges::sort(facts.pairs, {}, [](const PairFact& p) { return std::tuple(p.a, p.b); });
   for (const ScenePoint& point : scene.points) {
     if (point.view_idx.empty()) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ struct ConnectionFacts {
   std::vector<PointFact> points;          ///< from above
   std::vector<std::string> warnings;      ///< printable
   int num_left_out = 0;                   ///< pairs with fewer than kMinReportedMatches
+  int64_t num_not_matched = 0;            ///< pairs of views that the report does not tell of
 };
 
 /// Pairs with fewer matches are reported only when they tie their views.

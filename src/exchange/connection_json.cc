@@ -76,6 +76,7 @@ Json ConnectionsToJson(const ConnectionFacts& facts) {
           {"views", std::move(views)},
           {"pairs", std::move(pairs)},
           {"num_pairs_left_out", facts.num_left_out},
+          {"num_pairs_not_matched", facts.num_not_matched},
           {"warnings", facts.warnings}};
 }
 

@@ -194,6 +194,11 @@ void AppendRefusalTable(const ConnectionFacts& facts, xml_node parent) {
                       pair->num_matches);
   });
   AppendWords(parent, "h2", "", "Pairs that were refused");
+  if (facts.num_not_matched > 0) {
+    AppendWords(parent, "p", "intro",
+                fmt::format("Not matched: {} pairs of pictures that look less alike than others.",
+                            facts.num_not_matched));
+  }
   if (refusals.empty()) {
     AppendWords(parent, "p", "intro", "None.");
     return;

@@ -38,24 +38,19 @@ std::optional<double> HeadingDifference(const Gravity& a, const Gravity& b) {
 std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features,
                                  std::span<const Gravity> gravity, const LevelRays& level,
                                  const RegisterOptions& options, RunContext& context) {
-  std::vector<PanoPair> pairs;
-  const int num_views = static_cast<int>(features.size());
-  for (int a = 0; a < num_views; ++a) {
-    for (int b = a + 1; b < num_views; ++b) {
-      pairs.emplace_back();
-      pairs.back().a_idx = a;
-      pairs.back().b_idx = b;
-    }
-  }
+  const std::vector<ViewPair> selected =
+      SelectPairs(features, options.selection, options.match, context);
+  std::vector<PanoPair> pairs(selected.size());
   ParallelFor(context, "match pairs", static_cast<int64_t>(pairs.size()), [&](int64_t k) {
     PanoPair& pair = pairs[static_cast<size_t>(k)];
-    const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
+    const auto [a_idx, b_idx] = selected[static_cast<size_t>(k)];
+    const size_t a = static_cast<size_t>(a_idx), b = static_cast<size_t>(b_idx);
     const std::vector<FeatureMatch> matches =
         MatchDescriptors(features[a].descriptors, features[b].descriptors, options.match);
     pair = EstimatePair(level[a], level[b], matches, options.two_view,
                         HeadingDifference(gravity[a], gravity[b]));
-    pair.a_idx = static_cast<int>(a);
-    pair.b_idx = static_cast<int>(b);
+    pair.a_idx = a_idx;
+    pair.b_idx = b_idx;
   });
   return pairs;
 }

@@ -88,6 +88,13 @@ TEST(FormatConnectionsHtml, OnlyTheFirstOfManyRefusedPairsAreListed) {
   EXPECT_EQ(std::distance(rows.begin(), rows.end()), 200);
 }
 
+TEST(FormatConnectionsHtml, TellsHowManyPairsWereNotMatched) {
+  ReportedScene reported = MakeThreeRooms();
+  EXPECT_THAT(Html(reported), Not(HasSubstr("Not matched")));
+  reported.pairs.resize(1);
+  EXPECT_THAT(Html(reported), HasSubstr("Not matched: 2 pairs"));
+}
+
 TEST(FormatConnectionsHtml, SaysWhereToTakeOneMorePicture) {
   ReportedScene reported = MakeThreeRooms();
   AddView(reported, "shed.jpg", 2, {0, 0, 1.5}, 0);

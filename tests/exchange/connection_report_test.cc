@@ -59,6 +59,7 @@ TEST(WriteConnectionReport, JsonTellsWhatTheSceneAndThePairsAre) {
   // The pair with seven matches is left out.
   ASSERT_EQ(json["pairs"].size(), 2u);
   EXPECT_EQ(json["num_pairs_left_out"], 1);
+  EXPECT_EQ(json["num_pairs_not_matched"], 0);
   const Json& tie = json["pairs"][0];
   EXPECT_EQ(tie["views"], Json({0, 1}));
   EXPECT_EQ(tie["pictures"], Json({"hall.jpg", "kitchen.jpg"}));
@@ -86,6 +87,14 @@ TEST(WriteConnectionReport, MissesAreThoseOfThePairAgainstTheScene) {
     EXPECT_NEAR(json["pairs"][0]["yaw_miss_deg"], turn_deg, kRounding);
     EXPECT_NEAR(json["pairs"][0]["direction_miss_deg"], std::abs(0.5 * turn_deg), kRounding);
   }
+}
+
+TEST(WriteConnectionReport, PairsThatWereNotMatchedAreCountedAndNotListed) {
+  ReportedScene reported = MakeThreeRooms();
+  reported.pairs.resize(1);
+  const Json json = WrittenJson(reported);
+  EXPECT_EQ(json["pairs"].size(), 1u);
+  EXPECT_EQ(json["num_pairs_not_matched"], 2);
 }
 
 TEST(WriteConnectionReport, TiltIsBetweenTheUpwardAxes) {

@@ -10,6 +10,7 @@
 #include "enfilade/geometry/rigid3.h"
 #include "enfilade/sfm/bundle_adjustment.h"
 #include "enfilade/sfm/descriptor_matcher.h"
+#include "enfilade/sfm/pair_selection.h"
 #include "enfilade/sfm/tracks.h"
 #include "enfilade/sfm/two_view.h"
 #include "enfilade/sfm/types.h"
@@ -17,11 +18,13 @@
 namespace enfilade {
 
 struct RegisterOptions {
+  PairSelectionOptions selection;
   DescriptorMatchOptions match;
   TwoViewOptions two_view;
   BundleOptions bundle;
 
   void Visit(OptionVisitor& v) {
+    v("selection", selection, "Which panoramas are matched.");
     v("match", match, "Matches between two panoramas.");
     v("two_view", two_view, "Pairs of panoramas.");
     v("bundle", bundle, "Refinement of all poses together.");
@@ -39,10 +42,10 @@ struct Registration {
   double ray_error_rad = 0;            ///< root mean square over the tracks
 };
 
-/// Places panoramas from their features: matching, pairs on the sphere (EstimatePair), rotations
-/// (AverageYaws), lengths from floor, ceiling and shared features, positions, points, and rounds of
-/// bundle adjustment with ever stricter bounds, in which points are found anew each time. Views
-/// that nothing ties to others are components of their own.
+/// Places panoramas from their features: matching (of the pairs of SelectPairs), pairs on the
+/// sphere (EstimatePair), rotations (AverageYaws), lengths from floor, ceiling and shared features,
+/// positions, points, and rounds of bundle adjustment with ever stricter bounds, in which points
+/// are found anew each time. Views that nothing ties to others are components of their own.
 [[nodiscard]] Registration RegisterFeatures(std::span<const PanoFeatures> features,
                                             std::span<const Gravity> gravity,
                                             const RegisterOptions& options, RunContext& context);
