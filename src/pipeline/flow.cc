@@ -59,7 +59,7 @@ StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmO
       }
     } else {
       const PlaceReport report =
-          PlacePanoramas(options.placing, workspace.sfm_folder(), context, scene);
+          PlacePanoramas(options.placing, workspace.sfm_folder(), ProgramVersion(), context, scene);
       WriteConnectionReport(workspace.connections_folder(), scene,
                             {.pairs = report.registration.pairs,
                              .num_features = report.num_features,

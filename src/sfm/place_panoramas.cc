@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/image/codec.h"
@@ -12,6 +14,7 @@
 #include "enfilade/sfm/gravity.h"
 #include "src/sfm/component_heading.h"
 #include "src/sfm/pixel_of_ray.h"
+#include "src/sfm/seen_picture.h"
 
 namespace enfilade {
 namespace {
@@ -37,8 +40,35 @@ std::vector<Rgb> ColoursOf(const PanoFeatures& features, const ImageU8& picture,
   return colours;
 }
 
+// What OpenCV sees of a panorama, from the file that a stopped run left where there is one.
+SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOptions& options,
+                          const std::filesystem::path& folder, const std::string& program) {
+  const ImageU8 trusted = TrustedPixels(view, stand);
+  const std::filesystem::path file = SeenPictureFile(folder, view);
+  const std::string key = SeenPictureKey(view, trusted, options, program);
+  if (std::optional<SeenPicture> known = LoadSeenPicture(file, key)) return std::move(*known);
+  const ImageU8 picture = ReadImageRgb(view.path);
+  SeenPicture seen;
+  seen.features = ExtractFeatures(picture, trusted, view.camera, options);
+  seen.colours = ColoursOf(seen.features, picture, view.camera);
+  seen.segments = FindLineSegments(picture, trusted, view.camera);
+  SaveSeenPicture(file, key, seen);
+  return seen;
+}
+
+// What is wanted besides features that COLMAP has found.
+SeenPicture LookAtPicture(const View& view, const Stand& stand, PanoFeatures features) {
+  const ImageU8 picture = ReadImageRgb(view.path);
+  SeenPicture seen;
+  seen.features = std::move(features);
+  seen.colours = ColoursOf(seen.features, picture, view.camera);
+  seen.segments = FindLineSegments(picture, TrustedPixels(view, stand), view.camera);
+  return seen;
+}
+
 Seen LookAtPictures(const Scene& scene, const PlaceOptions& options,
-                    const std::filesystem::path& work_folder, RunContext& context) {
+                    const std::filesystem::path& work_folder, const std::string& program,
+                    RunContext& context) {
   const size_t num_views = scene.views.size();
   const Stand stand = FindStandOfScene(scene, options.stand, context);
   Seen seen{std::vector<PanoFeatures>(num_views), std::vector<std::vector<Rgb>>(num_views),
@@ -52,13 +82,13 @@ Seen LookAtPictures(const Scene& scene, const PlaceOptions& options,
               [&](int64_t k) {
                 const size_t i = static_cast<size_t>(k);
                 const View& view = scene.views[i];
-                const ImageU8 picture = ReadImageRgb(view.path);
-                const ImageU8 trusted = TrustedPixels(view, stand);
-                if (!use_colmap)
-                  seen.features[i] =
-                      ExtractFeatures(picture, trusted, view.camera, options.features);
-                seen.colours[i] = ColoursOf(seen.features[i], picture, view.camera);
-                seen.segments[i] = FindLineSegments(picture, trusted, view.camera);
+                SeenPicture picture = use_colmap
+                                          ? LookAtPicture(view, stand, std::move(seen.features[i]))
+                                          : LookAtPicture(view, stand, options.features,
+                                                          work_folder / "features", program);
+                seen.features[i] = std::move(picture.features);
+                seen.colours[i] = std::move(picture.colours);
+                seen.segments[i] = std::move(picture.segments);
                 seen.gravity[i] = FindGravity(seen.segments[i], {0, -1, 0});
                 seen.gravity[i].heading_rad =
                     FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
@@ -128,9 +158,9 @@ void SetPoints(const Seen& seen, const Registration& registration,
 }  // namespace
 
 PlaceReport PlacePanoramas(const PlaceOptions& options, const std::filesystem::path& work_folder,
-                           RunContext& context, Scene& scene) {
+                           const std::string& program, RunContext& context, Scene& scene) {
   ENFILADE_CHECK(!scene.views.empty());
-  const Seen seen = LookAtPictures(scene, options, work_folder, context);
+  const Seen seen = LookAtPictures(scene, options, work_folder, program, context);
   PlaceReport report;
   report.registration =
       RegisterFeatures(seen.features, seen.gravity, options.registration, context);

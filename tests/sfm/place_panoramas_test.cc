@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "enfilade/base/file.h"
@@ -63,7 +64,7 @@ class PlacePanoramasTest : public testing::Test {
   PlaceReport Place(Scene& scene, RunContext& with) const {
     PlaceOptions options;
     options.features.source = FeatureSource::kOpenCv;
-    return PlacePanoramas(options, temp.path() / "sfm", with, scene);
+    return PlacePanoramas(options, temp.path() / "sfm", program, with, scene);
   }
 
   double WorstTilt_deg(const Scene& scene) const {
@@ -76,7 +77,12 @@ class PlacePanoramasTest : public testing::Test {
     return worst;
   }
 
+  fs::path KeptFile(const View& view) const {
+    return temp.path() / "sfm" / "features" / (view.sha256.substr(0, 16) + ".bin");
+  }
+
   TempFolder temp;
+  std::string program = "1";
   Home home;
   RunContext context{2};
 };
@@ -136,6 +142,27 @@ TEST_F(PlacePanoramasTest, PutsASinglePictureAtTheCameraHeight) {
   static_cast<void>(Place(scene, context));
   EXPECT_NEAR(scene.views[0].world_from_cam.translation.z(), HeightOfCameras(), 1e-9);
   EXPECT_EQ(scene.views[0].component_idx, 0);
+}
+
+// What an earlier run saw of a picture is used; what is damaged or of another program is not.
+TEST_F(PlacePanoramasTest, GoesOnWhereItWasStopped) {
+  Make(0);
+  Scene first = Pictures();
+  static_cast<void>(Place(first, context));
+  const fs::path whole = KeptFile(first.views[0]), damaged = KeptFile(first.views[1]);
+  const std::string bytes_of_whole = ReadFile(whole), bytes_of_damaged = ReadFile(damaged);
+  const fs::file_time_type time = fs::last_write_time(whole);
+  WriteFileAtomic(damaged, bytes_of_damaged.substr(0, bytes_of_damaged.size() / 2));
+  Scene again = Pictures();
+  static_cast<void>(Place(again, context));
+  EXPECT_EQ(fs::last_write_time(whole), time);
+  EXPECT_EQ(ReadFile(damaged), bytes_of_damaged);
+  for (size_t i = 0; i < first.views.size(); ++i) {
+    EXPECT_EQ(again.views[i].world_from_cam.Matrix(), first.views[i].world_from_cam.Matrix());
+  }
+  program = "2";
+  static_cast<void>(Place(again, context));
+  EXPECT_NE(ReadFile(whole), bytes_of_whole);
 }
 
 }  // namespace

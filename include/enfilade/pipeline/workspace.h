@@ -16,7 +16,7 @@ class Workspace {
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
   [[nodiscard]] std::filesystem::path manifest_file() const { return root_ / "manifest.json"; }
   [[nodiscard]] std::filesystem::path scene_file() const { return root_ / "scene.json"; }
-  /// What finding poses leaves: COLMAP's database of features.
+  /// What finding poses leaves: features of the pictures, or COLMAP's database of them.
   [[nodiscard]] std::filesystem::path sfm_folder() const { return root_ / "sfm"; }
   /// Which pictures see each other.
   [[nodiscard]] std::filesystem::path connections_folder() const { return root_ / "connections"; }

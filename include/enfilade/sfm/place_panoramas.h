@@ -47,12 +47,15 @@ struct PlaceReport {
 /// storey of its own, since nothing says how it lies to the others, with its cameras' mean at the
 /// origin.
 ///
-/// COLMAP's database lies in `work_folder` where COLMAP finds the features; what a killed run left
-/// there is used. `scene.camera_height_m` sets the scale where given. Throws IoError and
+/// What was seen of a picture is left in `work_folder`, as files in `features/` or, where COLMAP
+/// finds the features, in its database, so that a run that was stopped goes on. Files that are
+/// damaged, or came from other options, another mask or another `program` (a text that changes with
+/// the code), are made anew. `scene.camera_height_m` sets the scale where given. Throws IoError and
 /// InvalidInputError for pictures that cannot be read, StoppedError. Cost: about two seconds a
-/// picture on one core, and the square of the number of pictures for matching.
+/// picture on one core, and matching of the pairs that SelectPairs takes.
 [[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options,
                                          const std::filesystem::path& work_folder,
-                                         RunContext& context, Scene& scene);
+                                         const std::string& program, RunContext& context,
+                                         Scene& scene);
 
 }  // namespace enfilade
