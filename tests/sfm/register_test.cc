@@ -119,6 +119,21 @@ TEST(RegisterFeatures, TellsWhatBecameOfEveryPair) {
   }
 }
 
+// Cameras of a room find each other among those of all rooms.
+TEST(RegisterFeatures, PlacesRoomsFromSelectedPairs) {
+  const RegistrationScene scene = MakeThreeRooms(1);
+  RegisterOptions options;
+  options.selection = {.all_pairs_up_to = 2, .num_partners = 3, .num_coarse_features = 100};
+  RunContext context(1);
+  const Registration result = RegisterFeatures(scene.features, scene.gravity, options, context);
+  EXPECT_LT(result.pairs.size(), 9U * 3U);
+  EXPECT_THAT(result.component_idx, ElementsAre(0, 0, 0, 0, 0, 0, 0, 1, 1));
+  for (const std::vector<int>& views : {kOpenRooms, kShutRoom}) {
+    EXPECT_LT(ComparePoses(result.world_from_cam, scene.world_from_cam, views).position,
+              kOneCentimetre);
+  }
+}
+
 TEST(RegisterFeatures, PointsLieWhereTheyAre) {
   const RegistrationScene scene = MakeRegistrationScene(
       {.num_points_per_room = 200, .noise_rad = DegToRad(0.05), .false_share = 0.1},
