@@ -78,7 +78,11 @@ StageResult RunPipeline(const fs::path& input, const Workspace& workspace,
                         RunContext& context) {
   const size_t num_stages = StageIndex(last_stage) + 1;
   SceneReadReport read = ReadScene(input, options.sfm.reading, context);
-  RequireMemory(read.scene, context);
+  RequireMemory(LeastSfmMemoryMb(read.scene, options.sfm.placing.features, context.num_threads()),
+                "allow more, or give fewer pictures, fewer --threads or a smaller "
+                "--sfm.features.max_features",
+                context);
+  if (num_stages > 1) RequireMemory(read.scene, context);
 
   const WorkspaceLock lock(workspace, WorkspaceUse::kCreate);
   Manifest manifest = ReadManifestIfAny(workspace);
