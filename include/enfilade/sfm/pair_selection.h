@@ -36,9 +36,11 @@ struct ViewPair {
 };
 
 /// The pairs that are worth matching, ascending: all of up to options.all_pairs_up_to panoramas. Of
-/// more, each panorama proposes the options.num_partners with which its largest features have most
-/// matches (ties: lowest index), and what one of the two proposes is taken. (Preemptive matching:
-/// Wu, Towards Linear-time Incremental Structure from Motion, 3DV 2013.)
+/// more, the largest features of all are matched, each panorama proposes the options.num_partners
+/// whose matches with it exceed most what they have with others on average (ties: lowest index),
+/// and what one of the two proposes is taken. (Preemptive matching: Wu, Towards Linear-time
+/// Incremental Structure from Motion, 3DV 2013; there the plain number of matches counts, by which
+/// panoramas of much repeated things are everyone's partners.)
 ///
 /// Large features are few, are seen from near and far, and tell rooms apart; all against all they
 /// cost (num_coarse_features / max_features)² of matching all pairs: still quadratic, but at 1000
