@@ -45,6 +45,21 @@ void WriteForOthers(const Workspace& workspace, const Scene& scene) {
   WriteCamerasPly(sparse / "cameras.ply", scene.views);
 }
 
+// The rooms about panoramas as structure sees them. With its usual options: poses must not depend
+// on those of a later stage.
+std::vector<RoomOutline> FindOutlines(const Scene& scene, RunContext& context) {
+  const Structure structure = AnalyzeStructure(scene, StructureOptions(), context).structure;
+  std::vector<RoomOutline> outlines(scene.views.size());
+  for (const WallProfile& profile : structure.profiles) {
+    RoomOutline& outline = outlines[static_cast<size_t>(profile.view_idx)];
+    outline.floor_z = profile.floor_z;
+    outline.ceiling_z = profile.ceiling_z;
+    outline.first_azimuth_rad = AzimuthOfColumn(0, profile.num_columns()) + structure.heading_rad;
+    outline.wall_m = profile.wall_m;
+  }
+  return outlines;
+}
+
 // Poses cost minutes, but where pictures and masks lie is no part of their key: a scene that stands
 // is written again with the paths of now.
 StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmOptions& options,
@@ -59,7 +74,8 @@ StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmO
       }
     } else {
       const PlaceReport report =
-          PlacePanoramas(options.placing, workspace.sfm_folder(), ProgramVersion(), context, scene);
+          PlacePanoramas(options.placing, {workspace.sfm_folder(), ProgramVersion(), FindOutlines},
+                         context, scene);
       WriteConnectionReport(workspace.connections_folder(), scene,
                             {.pairs = report.registration.pairs,
                              .num_features = report.num_features,

@@ -120,6 +120,69 @@ std::vector<Rigid3> AlignComponents(const Seen& seen, const Registration& regist
   return world_from_component;
 }
 
+// Numbers components from the largest on again; of equal ones, that with the first view comes
+// first.
+void Renumber(std::vector<int>& component_idx) {
+  struct Component {
+    int size = 0, first = 0, idx = 0;
+  };
+  std::vector<Component> components(component_idx.size());
+  for (size_t i = component_idx.size(); i-- > 0;) {
+    Component& component = components[static_cast<size_t>(component_idx[i])];
+    component = {component.size + 1, static_cast<int>(i), component_idx[i]};
+  }
+  std::sort(components.begin(), components.end(), [](const Component& x, const Component& y) {
+    return x.size != y.size ? x.size > y.size : x.first < y.first;
+  });
+  std::vector<int> number(component_idx.size(), 0);
+  for (size_t k = 0; k < components.size() && components[k].size > 0; ++k) {
+    number[static_cast<size_t>(components[k].idx)] = static_cast<int>(k);
+  }
+  for (int& component : component_idx) component = number[static_cast<size_t>(component)];
+}
+
+// Makes one component of each two that a join ties, and pairs of what is seen through its door.
+// Joins are in metres, between components as `world_from_component` places them.
+void ApplyJoins(std::span<const ComponentJoin> joins, std::span<const Rigid3> world_from_component,
+                double camera_height_m, Registration& registration) {
+  // The group of each component and its place there, in camera heights.
+  std::vector<int> group;
+  for (size_t c = 0; c < world_from_component.size(); ++c) group.push_back(static_cast<int>(c));
+  std::vector<Rigid3> group_from_component(world_from_component.begin(),
+                                           world_from_component.end());
+  for (const ComponentJoin& join : joins) {
+    const size_t a = static_cast<size_t>(join.a), b = static_cast<size_t>(join.b);
+    Rigid3 a_from_b = join.a_from_b;
+    a_from_b.translation /= camera_height_m;
+    const Rigid3 a_group_from_b_group = group_from_component[a] *
+                                        world_from_component[a].Inverse() * a_from_b *
+                                        world_from_component[b] * group_from_component[b].Inverse();
+    const int group_b = group[b];
+    for (size_t c = 0; c < group.size(); ++c) {
+      if (group[c] != group_b) continue;
+      group[c] = group[a];
+      group_from_component[c] = a_group_from_b_group * group_from_component[c];
+    }
+    for (const DoorPair& found : join.pairs) {
+      const auto pair = std::find_if(
+          registration.pairs.begin(), registration.pairs.end(), [&](const PanoPair& candidate) {
+            return candidate.a_idx == found.a_idx && candidate.b_idx == found.b_idx;
+          });
+      if (pair == registration.pairs.end()) continue;
+      pair->verdict = PairVerdict::kAccepted;
+      pair->inliers = found.inliers;
+      pair->log10_chance = -join.log_odds / std::log(10.0);
+    }
+  }
+  for (size_t i = 0; i < registration.component_idx.size(); ++i) {
+    const size_t component = static_cast<size_t>(registration.component_idx[i]);
+    registration.world_from_cam[i] =
+        group_from_component[component] * registration.world_from_cam[i];
+    registration.component_idx[i] = group[component];
+  }
+  Renumber(registration.component_idx);
+}
+
 void SetPoses(const Registration& registration, std::span<const Rigid3> world_from_component,
               double camera_height_m, Scene& scene) {
   for (size_t i = 0; i < scene.views.size(); ++i) {
@@ -157,24 +220,39 @@ void SetPoints(const Seen& seen, const Registration& registration,
 
 }  // namespace
 
-PlaceReport PlacePanoramas(const PlaceOptions& options, const std::filesystem::path& work_folder,
-                           const std::string& program, RunContext& context, Scene& scene) {
+PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings& surroundings,
+                           RunContext& context, Scene& scene) {
   ENFILADE_CHECK(!scene.views.empty());
-  const Seen seen = LookAtPictures(scene, options, work_folder, program, context);
+  const Seen seen = LookAtPictures(scene, options, surroundings.work_folder, surroundings.program, context);
   PlaceReport report;
-  report.registration =
-      RegisterFeatures(seen.features, seen.gravity, options.registration, context);
-  report.scale =
-      FindMetricScale(scene.camera_height_m, report.registration.ceilings, options.scale);
-  report.warnings = report.scale.warnings;
   for (const PanoFeatures& features : seen.features) report.num_features.push_back(features.size());
-
-  const std::vector<Rigid3> world_from_component = AlignComponents(seen, report.registration);
-  const double camera_height_m = report.scale.camera_height_m;
-  SetPoses(report.registration, world_from_component, camera_height_m, scene);
-  SetPoints(seen, report.registration, world_from_component, camera_height_m, scene);
-  scene.scale_source = report.scale.source;
-  scene.camera_height_m = camera_height_m;
+  Registration& registration = report.registration;
+  registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context);
+  const std::optional<double> given_height_m = scene.camera_height_m;
+  std::vector<Rigid3> world_from_component;
+  const auto place = [&] {
+    report.scale = FindMetricScale(given_height_m, registration.ceilings, options.scale);
+    world_from_component = AlignComponents(seen, registration);
+    scene.scale_source = report.scale.source;
+    scene.camera_height_m = report.scale.camera_height_m;
+    SetPoses(registration, world_from_component, report.scale.camera_height_m, scene);
+  };
+  place();
+  if (world_from_component.size() > 1 && surroundings.find_outlines) {
+    const std::vector<RoomOutline> outlines = surroundings.find_outlines(scene, context);
+    std::vector<Rigid3> world_from_cam;
+    for (const View& view : scene.views) world_from_cam.push_back(view.world_from_cam);
+    report.joins =
+        JoinComponents({world_from_cam, registration.component_idx, seen.features, outlines},
+                       options.joining, context);
+    if (!report.joins.empty()) {
+      ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, registration);
+      RefineRegistration(seen.features, seen.gravity, options.registration, context, registration);
+      place();
+    }
+  }
+  report.warnings = report.scale.warnings;
+  SetPoints(seen, registration, world_from_component, report.scale.camera_height_m, scene);
   for (const std::string& warning : report.warnings) context.log().Warning(warning);
   return report;
 }

@@ -152,13 +152,17 @@ double NumRays(std::span<const Track> tracks) {
   return count;
 }
 
-void Refine(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
-            const RegisterOptions& options, RunContext& context, Registration& registration) {
+}  // namespace
+
+void RefineRegistration(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                        const RegisterOptions& options, RunContext& context,
+                        Registration& registration) {
   constexpr std::array<double, 4> kMaxErrors_deg = {2.0, 1.0, 0.5, 0.3};
   const std::vector<Track> chains = BuildTracks(registration.pairs, features);
   const int num_components =
       1 + *std::max_element(registration.component_idx.begin(), registration.component_idx.end());
   double sum_squares = 0;
+  registration.tracks.clear();
   for (int component = 0; component < num_components; ++component) {
     const std::vector<Track> own = TracksOf(component, registration.component_idx, chains);
     std::vector<Track> tracks;
@@ -178,8 +182,6 @@ void Refine(std::span<const PanoFeatures> features, std::span<const Gravity> gra
   registration.ray_error_rad = std::sqrt(sum_squares / std::max(1.0, NumRays(registration.tracks)));
 }
 
-}  // namespace
-
 Registration RegisterFeatures(std::span<const PanoFeatures> features,
                               std::span<const Gravity> gravity, const RegisterOptions& options,
                               RunContext& context) {
@@ -196,7 +198,7 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
     registration.world_from_cam.push_back(
         {RotationZ(yaws[i]) * LevelFromCam(gravity[i]), {positions[i].x(), positions[i].y(), 1}});
   }
-  Refine(features, gravity, options, context, registration);
+  RefineRegistration(features, gravity, options, context, registration);
   return registration;
 }
 

@@ -64,7 +64,7 @@ class PlacePanoramasTest : public testing::Test {
   PlaceReport Place(Scene& scene, RunContext& with) const {
     PlaceOptions options;
     options.features.source = FeatureSource::kOpenCv;
-    return PlacePanoramas(options, temp.path() / "sfm", program, with, scene);
+    return PlacePanoramas(options, {temp.path() / "sfm", program, {}}, with, scene);
   }
 
   double WorstTilt_deg(const Scene& scene) const {

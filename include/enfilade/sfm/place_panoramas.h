@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,23 +12,38 @@
 #include "enfilade/scene/stand_mask.h"
 #include "enfilade/scene/types.h"
 #include "enfilade/sfm/features.h"
+#include "enfilade/sfm/join_components.h"
 #include "enfilade/sfm/metric_scale.h"
 #include "enfilade/sfm/register.h"
+#include "enfilade/sfm/room_outline.h"
 
 namespace enfilade {
 
 struct PlaceOptions {
   FeatureOptions features;
   RegisterOptions registration;
+  JoinOptions joining;
   ScaleOptions scale;
   StandOptions stand;
 
   void Visit(OptionVisitor& v) {
     v("features", features, "Features of the pictures.");
     v("registration", registration, "Poses from features.");
+    v("joining", joining, "Components tied by what is seen through doors.");
     v("scale", scale, "Metres.");
     v("stand", stand, "The camera's stand.");
   }
+};
+
+/// Finds the room about every view of a scene whose poses are good within each component; one
+/// outline a view.
+using OutlineFinder = std::function<std::vector<RoomOutline>(const Scene&, RunContext&)>;
+
+/// What PlacePanoramas needs besides pictures and options.
+struct PlaceSurroundings {
+  std::filesystem::path work_folder;  ///< keeps what was seen of the pictures
+  std::string program;                ///< a text that changes with the code
+  OutlineFinder find_outlines;        ///< empty: components are not joined
 };
 
 /// What PlacePanoramas has to say besides the scene.
@@ -35,6 +51,7 @@ struct PlaceReport {
   Registration registration;      ///< in camera heights
   std::vector<int> num_features;  ///< one a view
   MetricScale scale;
+  std::vector<ComponentJoin> joins;   ///< components by their numbers before they were joined
   std::vector<std::string> warnings;  ///< whole sentences, also written to the log
 };
 
@@ -43,9 +60,10 @@ struct PlaceReport {
 ///
 /// Fills world_from_cam, component_idx, storey_idx, points, scale_source and camera_height_m.
 /// World: metres, z up, floor at z = 0, walls along x and y where they can be told. What cannot be
-/// attached to the largest component becomes a further one in the same scale; each component is a
-/// storey of its own, since nothing says how it lies to the others, with its cameras' mean at the
-/// origin.
+/// attached to the largest component, neither by pairs nor through a door (JoinComponents, which
+/// needs `find_outlines`; empty: not tried), becomes a further one in the same scale; each
+/// component is a storey of its own, since nothing says how it lies to the others, with its
+/// cameras' mean at the origin.
 ///
 /// What was seen of a picture is left in `work_folder`, as files in `features/` or, where COLMAP
 /// finds the features, in its database, so that a run that was stopped goes on. Files that are
@@ -54,8 +72,7 @@ struct PlaceReport {
 /// InvalidInputError for pictures that cannot be read, StoppedError. Cost: about two seconds a
 /// picture on one core, and matching of the pairs that SelectPairs takes.
 [[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options,
-                                         const std::filesystem::path& work_folder,
-                                         const std::string& program, RunContext& context,
-                                         Scene& scene);
+                                         const PlaceSurroundings& surroundings,
+                                         RunContext& context, Scene& scene);
 
 }  // namespace enfilade

@@ -50,4 +50,10 @@ struct Registration {
                                             std::span<const Gravity> gravity,
                                             const RegisterOptions& options, RunContext& context);
 
+/// Points and rounds of bundle adjustment from the poses and pairs that a registration has; what
+/// RegisterFeatures ends with. Replaces poses, tracks, ceilings and ray_error_rad.
+void RefineRegistration(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                        const RegisterOptions& options, RunContext& context,
+                        Registration& registration);
+
 }  // namespace enfilade
