@@ -14,6 +14,8 @@
 #include "enfilade/base/errors.h"
 #include "enfilade/base/hash.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/image/xmp.h"
+#include "src/exchange/photo_sphere.h"
 #include "src/exchange/picture_files.h"
 #include "src/exchange/pose_file.h"
 
@@ -98,6 +100,21 @@ Camera FitCamera(Camera camera, const ImageSize& size, const fs::path& path) {
                        camera.cx * scale_x, camera.cy * scale_y);
 }
 
+// "is a part of a panorama of 8192 x 4096 pixels"
+std::string DescribeCrop(const PhotoSphere& sphere) {
+  return fmt::format("is a part of a panorama of {} x {} pixels, as its XMP metadata tell",
+                     sphere.full_size->width, sphere.full_size->height);
+}
+
+// What the metadata of an equirectangular picture tell beside its pixels.
+void TakeMetadata(View& view) {
+  const PhotoSphere sphere = ParsePhotoSphere(ReadXmpPacket(view.path));
+  if (sphere.IsCropped({view.camera.width, view.camera.height})) {
+    throw InvalidInputError(view.path.native(), DescribeCrop(sphere), "give the whole panorama");
+  }
+  view.told_up_in_cam = sphere.UpInCam();
+}
+
 View MakeView(const PosedPicture& picture, const fs::path& path) {
   View view;
   view.picture = path.filename().native();
@@ -107,6 +124,7 @@ View MakeView(const PosedPicture& picture, const fs::path& path) {
   view.path = path;
   view.sha256 = Sha256OfFile(path);
   view.camera = FitCamera(picture.camera, ReadImageSize(path), path);
+  if (view.camera.model == CameraModel::kEquirectangular) TakeMetadata(view);
   view.world_from_cam = picture.world_from_cam;
   view.storey_idx = picture.storey_idx.value_or(0);
   return view;
@@ -279,6 +297,16 @@ void ReportUnposed(const PictureFiles& files, const std::vector<fs::path>& posed
                                         unposed.size(), NameSome(unposed)));
 }
 
+// Why a picture is no whole panorama; empty for one that is.
+std::string WhyNoPanorama(const fs::path& path) {
+  const ImageSize size = ReadImageSize(path);
+  const PhotoSphere sphere = ParsePhotoSphere(ReadXmpPacket(path));
+  if (sphere.IsCropped(size)) return DescribeCrop(sphere) + ": give the whole one";
+  if (std::abs(size.width - 2 * size.height) <= 1) return {};
+  return fmt::format("is {} x {} pixels, not twice as wide as high: no whole panorama", size.width,
+                     size.height);
+}
+
 // Panoramas without poses. Pictures that are no whole panoramas are left out, as such folders hold
 // previews and photographs too.
 SceneReadReport ReadPicturesAlone(const fs::path& folder, const PictureFiles& files,
@@ -288,11 +316,10 @@ SceneReadReport ReadPicturesAlone(const fs::path& folder, const PictureFiles& fi
   none.source = PoseSource::kEstimated;
   std::vector<fs::path> paths;
   for (const fs::path& path : files.all()) {
-    const ImageSize size = ReadImageSize(path);
-    if (std::abs(size.width - 2 * size.height) > 1) {
-      report.warnings.push_back(fmt::format(
-          "{} is {} x {} pixels, not twice as wide as high: no whole panorama, left out",
-          PrintablePath(path.filename()), size.width, size.height));
+    const std::string problem = WhyNoPanorama(path);
+    if (!problem.empty()) {
+      report.warnings.push_back(
+          fmt::format("{} {}; it is left out", PrintablePath(path.filename()), problem));
       continue;
     }
     paths.push_back(path);

@@ -11,6 +11,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
+#include "src/image/jpeg_segments.h"
 
 namespace enfilade {
 namespace {
@@ -19,9 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int64_t kMaxPixels = int64_t{1} << 28;
 constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
-constexpr std::string_view kJpegStart = "\xFF\xD8";
 constexpr std::string_view kJpegEnd = "\xFF\xD9";
-constexpr std::string_view kPngStart = "\x89PNG\r\n\x1A\n";
 
 // What the head of a file tells.
 struct PictureHead {
@@ -31,44 +30,22 @@ struct PictureHead {
   uint64_t pixels_offset = 0;  // where the compressed pixels begin
 };
 
-uint8_t Byte(std::string_view bytes, size_t i) { return static_cast<uint8_t>(bytes[i]); }
-int BigEndian16(std::string_view bytes, size_t i) {
-  return Byte(bytes, i) << 8 | Byte(bytes, i + 1);
-}
-
 bool IsFrameMarker(uint8_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-bool IsStandaloneMarker(uint8_t marker) {
-  return marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7);
-}
-
-// Walks the marker segments up to the start of the scan (ITU T.81, B.2.2 and B.2.3).
 PictureHead ReadJpegHead(const FileReader& file) {
-  constexpr uint8_t kStartOfScan = 0xDA, kStartOfImage = 0xD8, kEndOfImage = 0xD9;
   constexpr size_t kFrameHeaderBytes = 9;  // marker, length, precision, height, width
   PictureHead head{PictureHead::Format::kJpeg, {}, 0};
-  for (uint64_t offset = kJpegStart.size();;) {
-    const std::string bytes = file.ReadAt(offset, kFrameHeaderBytes);
-    if (bytes.size() < 4 || Byte(bytes, 0) != 0xFF) return {PictureHead::Format::kJpeg, {}, 0};
-    const uint8_t marker = Byte(bytes, 1);
-    if (marker == kStartOfScan) {
-      head.pixels_offset = offset;
-      return head;
-    }
-    if (marker == kStartOfImage || marker == kEndOfImage) return head;
-    if (IsFrameMarker(marker) && bytes.size() == kFrameHeaderBytes) {
+  head.pixels_offset = WalkJpegSegments(file, [&](const JpegSegment& segment) {
+    if (!IsFrameMarker(segment.marker)) return true;
+    const std::string bytes = file.ReadAt(segment.offset, kFrameHeaderBytes);
+    if (bytes.size() == kFrameHeaderBytes) {
       head.size = {BigEndian16(bytes, 7), BigEndian16(bytes, 5)};
     }
-    if (marker == 0xFF) {
-      offset += 1;  // fill byte
-    } else if (IsStandaloneMarker(marker)) {
-      offset += 2;
-    } else {
-      offset += 2 + static_cast<uint64_t>(BigEndian16(bytes, 2));
-    }
-  }
+    return true;
+  });
+  return head;
 }
 
 // The header chunk comes first (ISO 15948, 11.2.2).

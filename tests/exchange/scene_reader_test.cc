@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "tests/exchange/posed_folder.h"
+#include "tests/support/xmp_picture.h"
 
 namespace enfilade {
 namespace {
@@ -163,6 +164,41 @@ TEST_F(SceneReaderTest, LeavesOutWhatIsNoWholePanorama) {
   EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("has no whole panoramas"));
   fs::remove(folder / "images" / "preview.png");
   EXPECT_THAT(SceneRefusal(folder, options), HasSubstr("has no pictures"));
+}
+
+TEST_F(SceneReaderTest, LeavesOutPartsOfPanoramas) {
+  const std::string png = ReadFile(folder / "images" / "a.png");
+  WriteFileAtomic(
+      folder / "images" / "part.png",
+      PngWithXmp(png,
+                 GPanoPacket(R"(GPano:FullPanoWidthPixels="64" GPano:FullPanoHeightPixels="32")"
+                             R"( GPano:CroppedAreaImageWidthPixels="16")"
+                             R"( GPano:CroppedAreaImageHeightPixels="8")")));
+  SceneReadOptions options;
+  options.poses = "none";
+  const SceneReadReport report = ReadTestScene(folder, options);
+  EXPECT_EQ(report.scene.views.size(), 2U);
+  EXPECT_THAT(report.warnings,
+              ElementsAre(AllOf(HasSubstr("part.png is a part of a panorama of 64 x 32 pixels"),
+                                HasSubstr("left out"))));
+  // With a pose it would put everything in wrong places.
+  WriteFrames({UprightFrame("images/a.png"), UprightFrame("images/part.png", 2)});
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("part.png is a part of a panorama"));
+}
+
+TEST_F(SceneReaderTest, KeepsTheVerticalThatMetadataTell) {
+  const std::string png = ReadFile(folder / "images" / "a.png");
+  WriteFileAtomic(folder / "images" / "a.png",
+                  PngWithXmp(png, GPanoPacket(R"(GPano:PoseRollDegrees="180")")));
+  WriteFileAtomic(folder / "images" / "broken.png", PngWithXmp(png, "<x:xmpmeta PoseRoll"));
+  SceneReadOptions options;
+  options.poses = "none";
+  const SceneReadReport report = ReadTestScene(folder, options);
+  EXPECT_THAT(report.warnings, IsEmpty());
+  ASSERT_TRUE(ViewOf(report.scene, "a.png").told_up_in_cam);
+  EXPECT_TRUE(ViewOf(report.scene, "a.png").told_up_in_cam->isApprox(Eigen::Vector3d(0, 1, 0)));
+  EXPECT_FALSE(ViewOf(report.scene, "b.png").told_up_in_cam);
+  EXPECT_FALSE(ViewOf(report.scene, "broken.png").told_up_in_cam);
 }
 
 TEST_F(SceneReaderTest, TakesTheFirstPoseSourceUnlessToldOtherwise) {

@@ -54,7 +54,9 @@ struct SceneReadReport {
 ///
 /// Guarantees: views have distinct hashes, in ascending order; rotations are orthonormal; sizes
 /// agree with the files; equirectangular pictures are 2:1; names are UTF-8. Pictures without pose
-/// and copies of a picture are left out with a warning.
+/// and copies of a picture are left out with a warning. Without any poses, pictures of another
+/// shape and those that are parts of a panorama, as their XMP metadata tell, are left out with a
+/// warning too; `told_up_in_cam` is what the metadata tell of the vertical.
 ///
 /// Throws IoError when something cannot be opened and InvalidInputError for no pictures, no poses,
 /// poses of absent pictures, malformed or non-finite numbers, a matrix that is no rotation, and

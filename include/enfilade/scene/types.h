@@ -27,6 +27,8 @@ struct View {
   int component_idx = 0;  ///< connected component of poses
   bool is_pose_inferred = false;
   std::filesystem::path mask_path;  ///< grey picture of the same size, 0 = ignore; empty = none
+  /// Upward in the camera frame, unit, as the picture's metadata tell it: a hint, often wrong.
+  std::optional<Eigen::Vector3d> told_up_in_cam;
 };
 
 /// A reconstructed point.
