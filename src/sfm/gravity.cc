@@ -9,6 +9,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/scene/virtual_view.h"
 #include "src/sfm/pixel_of_ray.h"
@@ -72,6 +73,8 @@ double LineSegment::Length_rad() const { return std::atan2(from.cross(to).norm()
 
 std::vector<LineSegment> FindLineSegments(const ImageU8& panorama, const ImageU8& trusted,
                                           const Camera& camera) {
+  ENFILADE_CHECK(panorama.rows() == camera.height && panorama.cols() == camera.width);
+  ENFILADE_CHECK(trusted.rows() == camera.height && trusted.cols() == camera.width);
   const ViewRing ring = MakeViewRing(camera);
   const cv::Ptr<cv::LineSegmentDetector> detector = cv::createLineSegmentDetector();
   std::vector<LineSegment> segments;
@@ -122,9 +125,20 @@ Gravity FindGravity(std::span<const LineSegment> segments, const Vector3d& expec
   return gravity;
 }
 
+Gravity FindGravityOfPicture(std::span<const LineSegment> segments,
+                             const std::optional<Vector3d>& told_up) {
+  const Gravity near_picture = FindGravity(segments, {0, -1, 0});
+  if (!told_up) return near_picture;
+  const Gravity near_told = FindGravity(segments, *told_up);
+  return near_told.num_lines >= near_picture.num_lines ? near_told : near_picture;
+}
+
 Matrix3d LevelFromCam(const Gravity& gravity) {
   Matrix3d upright;
   upright << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  // Head down: half a turn about the viewing direction comes first, as a half-turn about a level
+  // axis could be about any.
+  if (gravity.up_in_cam.y() > 0) upright.leftCols<2>() *= -1;
   return Eigen::Quaterniond::FromTwoVectors(upright * gravity.up_in_cam, Vector3d::UnitZ()) *
          upright;
 }

@@ -89,7 +89,7 @@ Seen LookAtPictures(const Scene& scene, const PlaceOptions& options,
                 seen.features[i] = std::move(picture.features);
                 seen.colours[i] = std::move(picture.colours);
                 seen.segments[i] = std::move(picture.segments);
-                seen.gravity[i] = FindGravity(seen.segments[i], {0, -1, 0});
+                seen.gravity[i] = FindGravityOfPicture(seen.segments[i], view.told_up_in_cam);
                 seen.gravity[i].heading_rad =
                     FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
               });

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -176,6 +177,38 @@ TEST(FindGravity, TheOrderAndSenseOfSegmentsDoNotMatter) {
   EXPECT_LT(AngleBetween(FindGravity(turned, kExpectedUp).up_in_cam, gravity.up_in_cam), 1e-9);
 }
 
+// A camera that leans far is found from what its metadata tell; where they tell what the stitcher
+// has taken out already, the lines are believed.
+TEST(FindGravityOfPicture, TriesWhatIsTold) {
+  const Matrix3d leaning = CamFromLevel(DegToRad(25), 0.5);
+  MadeLines lines(leaning, DegToRad(0.05), 3);
+  lines.AddVerticals(30);
+  const Matrix3d nearly = CamFromLevel(DegToRad(23), 0.6);
+  const Vector3d told = nearly.col(2);
+  EXPECT_LT(ErrorOf_deg(FindGravityOfPicture(lines.segments, told), leaning), 0.1);
+  const Matrix3d level = CamFromLevel(DegToRad(0.5), 0.5);
+  MadeLines levelled(level, DegToRad(0.05), 3);
+  levelled.AddVerticals(30);
+  EXPECT_LT(ErrorOf_deg(FindGravityOfPicture(levelled.segments, told), level), 0.1);
+  const Gravity untold = FindGravityOfPicture(levelled.segments, std::nullopt);
+  EXPECT_EQ(untold.up_in_cam, FindGravity(levelled.segments, kExpectedUp).up_in_cam);
+}
+
+TEST(FindGravityOfPicture, WithoutLinesWhatIsToldIsAllThereIs) {
+  const Vector3d told = CamFromLevel(DegToRad(7), 1).col(2);
+  const Gravity gravity = FindGravityOfPicture({}, told);
+  EXPECT_EQ(gravity.up_in_cam, told);
+  EXPECT_NEAR(RadToDeg(gravity.sigma_rad), 2, 1e-9);
+}
+
+TEST(FindGravityOfPicture, TellsCamerasMountedHeadDown) {
+  const Matrix3d over = Vector3d(-1, -1, 1).asDiagonal() * CamFromLevel(DegToRad(2), 1);
+  MadeLines lines(over, DegToRad(0.05), 3);
+  lines.AddVerticals(30);
+  EXPECT_LT(ErrorOf_deg(FindGravityOfPicture(lines.segments, Vector3d(0, 1, 0)), over), 0.1);
+  EXPECT_GT(ErrorOf_deg(FindGravityOfPicture(lines.segments, std::nullopt), over), 179.9);
+}
+
 TEST(LineSegment, LengthAndNormal) {
   const LineSegment segment{Vector3d::UnitX(), Vector3d(1, 1, 0).normalized()};
   EXPECT_NEAR(segment.Length_rad(), kPi / 4, 1e-12);
@@ -184,6 +217,18 @@ TEST(LineSegment, LengthAndNormal) {
 
 // The shortest turn upright leaves the picture's centre at azimuth 90° when the camera only nods or
 // only leans; when it does both, by an angle t about an axis between, the centre moves by t²/4.
+// Half a turn about the viewing direction comes first, so that the centre stays at +y.
+TEST(LevelFromCam, TurnsCamerasMountedHeadDown) {
+  const Matrix3d cam_from_level = CamFromLevel(DegToRad(3), 0.7);
+  const Matrix3d over = Vector3d(-1, -1, 1).asDiagonal() * cam_from_level;
+  Gravity upright, turned;
+  upright.up_in_cam = cam_from_level.col(2);
+  turned.up_in_cam = over.col(2);
+  const Matrix3d expected =
+      LevelFromCam(upright) * Vector3d(-1, -1, 1).asDiagonal().toDenseMatrix();
+  EXPECT_TRUE(LevelFromCam(turned).isApprox(expected, 1e-12));
+}
+
 TEST(LevelFromCam, TurnsUpToZAndTheCentreToY) {
   for (const double tilt_deg : {0.0, 2.0, 10.0}) {
     for (int axis = 0; axis < 8; ++axis) {
@@ -275,6 +320,14 @@ TEST(FindLineSegments, APlainPictureHasNone) {
   const Camera camera = EquirectangularCamera(kWidth, kHeight);
   const ImageU8 plain(kHeight, kWidth, 3, 128), trusted(kHeight, kWidth, 1, 255);
   EXPECT_THAT(FindLineSegments(plain, trusted, camera), IsEmpty());
+}
+
+TEST(FindLineSegments, RefusesPicturesOfAnotherSize) {
+  const Camera camera = EquirectangularCamera(kWidth, kHeight);
+  const ImageU8 panorama(kHeight, kWidth, 3, 128), trusted(kHeight, kWidth, 1, 255);
+  const ImageU8 small(kHeight / 2, kWidth / 2, 1, 255);
+  EXPECT_THROW((void)FindLineSegments(panorama, small, camera), std::logic_error);
+  EXPECT_THROW((void)FindLineSegments(small, trusted, camera), std::logic_error);
 }
 
 TEST(FindLineSegments, RefusesPinholeCameras) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct LineSegment {
 
 /// The straight segments of at least 3° in a panorama's virtual views, found with the line segment
 /// detector of von Gioi et al. (2010) in OpenCV, in the order of the views. `trusted` (0 = ignore)
-/// is as for ExtractFeatures. Uses the calling thread.
+/// is as for ExtractFeatures; both must have the size of `camera` (std::logic_error otherwise).
+/// Uses the calling thread.
 [[nodiscard]] std::vector<LineSegment> FindLineSegments(const ImageU8& panorama,
                                                         const ImageU8& trusted,
                                                         const Camera& camera);
@@ -38,7 +40,16 @@ struct LineSegment {
 [[nodiscard]] Gravity FindGravity(std::span<const LineSegment> segments,
                                   const Eigen::Vector3d& expected_up);
 
-/// Rotation to the level frame: z up, the centre of the picture at azimuth 90° (+y).
+/// The vertical of a picture whose metadata may tell one (`told_up`, unit): lines near the
+/// picture's own upward direction and lines near the told one are both tried, and what more lines
+/// agree with counts, since stitchers level pictures and leave the tags. Where both find the same
+/// lines, the told direction says which end is up; with fewer than three lines it is all there is
+/// (2°).
+[[nodiscard]] Gravity FindGravityOfPicture(std::span<const LineSegment> segments,
+                                           const std::optional<Eigen::Vector3d>& told_up);
+
+/// Rotation to the level frame: z up, the centre of the picture at azimuth 90° (+y). Also for
+/// cameras mounted head down.
 [[nodiscard]] Eigen::Matrix3d LevelFromCam(const Gravity& gravity);
 
 }  // namespace enfilade
