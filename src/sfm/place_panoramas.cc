@@ -13,6 +13,8 @@
 #include "enfilade/sfm/colmap_features.h"
 #include "enfilade/sfm/gravity.h"
 #include "src/sfm/component_heading.h"
+#include "src/sfm/odd_pictures.h"
+#include "src/sfm/picture_warnings.h"
 #include "src/sfm/pixel_of_ray.h"
 #include "src/sfm/seen_picture.h"
 
@@ -218,16 +220,36 @@ void SetPoints(const Seen& seen, const Registration& registration,
   }
 }
 
+// Registers the panoramas, those that stand upside down beside the others turned over.
+Registration Register(const Scene& scene, const PlaceOptions& options, RunContext& context,
+                      Seen& seen, std::vector<std::string>& warnings) {
+  Registration registration =
+      RegisterFeatures(seen.features, seen.gravity, options.registration, context);
+  const std::vector<OddTie> upside_down = TurnOverTheUpsideDown(
+      seen.features, registration.component_idx, options.registration, context, seen.gravity);
+  if (!upside_down.empty()) {
+    registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context);
+  }
+  WarnOfUpsideDown(scene.views, upside_down, warnings);
+  WarnOfMirrored(scene.views,
+                 FindMirrored(seen.features, seen.gravity, registration.component_idx,
+                              options.registration, context),
+                 warnings);
+  WarnOfCopies(scene.views, FindCopies(seen.features, seen.gravity, registration.pairs), warnings);
+  return registration;
+}
+
 }  // namespace
 
 PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings& surroundings,
                            RunContext& context, Scene& scene) {
   ENFILADE_CHECK(!scene.views.empty());
-  const Seen seen = LookAtPictures(scene, options, surroundings.work_folder, surroundings.program, context);
+  Seen seen = LookAtPictures(scene, options, surroundings.work_folder, surroundings.program, context);
   PlaceReport report;
+  WarnOfToldVerticals(scene.views, seen.gravity, report.warnings);
   for (const PanoFeatures& features : seen.features) report.num_features.push_back(features.size());
   Registration& registration = report.registration;
-  registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context);
+  registration = Register(scene, options, context, seen, report.warnings);
   const std::optional<double> given_height_m = scene.camera_height_m;
   std::vector<Rigid3> world_from_component;
   const auto place = [&] {
@@ -251,7 +273,9 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
       place();
     }
   }
-  report.warnings = report.scale.warnings;
+  WarnOfUntied(scene.views, registration.component_idx, report.warnings);
+  report.warnings.insert(report.warnings.end(), report.scale.warnings.begin(),
+                         report.scale.warnings.end());
   SetPoints(seen, registration, world_from_component, report.scale.camera_height_m, scene);
   for (const std::string& warning : report.warnings) context.log().Warning(warning);
   return report;

@@ -11,6 +11,7 @@
 #include "enfilade/sfm/pair_length.h"
 #include "enfilade/sfm/positions.h"
 #include "enfilade/sfm/view_graph.h"
+#include "src/sfm/level_rays.h"
 
 namespace enfilade {
 namespace {
@@ -19,20 +20,9 @@ using Eigen::Vector3d;
 using LevelRays = std::vector<std::vector<Vector3d>>;
 
 LevelRays TurnLevel(std::span<const PanoFeatures> features, std::span<const Gravity> gravity) {
-  LevelRays level(features.size());
-  for (size_t i = 0; i < features.size(); ++i) {
-    const Eigen::Matrix3d level_from_cam = LevelFromCam(gravity[i]);
-    for (const Eigen::Vector3f& ray : features[i].rays) {
-      level[i].push_back(level_from_cam * ray.cast<double>());
-    }
-  }
+  LevelRays level;
+  for (size_t i = 0; i < features.size(); ++i) level.push_back(TurnLevel(features[i], gravity[i]));
   return level;
-}
-
-// The yaw between two panoramas modulo 90° as their walls tell it.
-std::optional<double> HeadingDifference(const Gravity& a, const Gravity& b) {
-  if (!a.heading_rad || !b.heading_rad) return std::nullopt;
-  return *a.heading_rad - *b.heading_rad;
 }
 
 std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/sfm/place_panoramas.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,6 +61,31 @@ class PlacePanoramasTest : public testing::Test {
     return sum / static_cast<double>(home.cameras.size());
   }
 
+  // Writes a picture anew, its rows and columns in reverse order where asked for.
+  void Flip(int camera_idx, bool flip_rows, bool flip_cols) const {
+    const fs::path path =
+        temp.path() / "panos" / home.cameras[static_cast<size_t>(camera_idx)].picture;
+    const ImageU8 picture = ReadImageRgb(path);
+    const int rows = picture.rows(), cols = picture.cols();
+    ImageU8 flipped(rows, cols, 3);
+    for (int r = 0; r < rows; ++r) {
+      for (int c = 0; c < cols; ++c) {
+        for (int k = 0; k < 3; ++k) {
+          flipped(r, c, k) = picture(flip_rows ? rows - 1 - r : r, flip_cols ? cols - 1 - c : c, k);
+        }
+      }
+    }
+    WriteImage(path, flipped);
+  }
+
+  double TrueDistance() const {
+    return (home.WorldFromCamera(0).translation - home.WorldFromCamera(1).translation).norm();
+  }
+  static double FoundDistance(const Scene& scene) {
+    return (scene.views[0].world_from_cam.translation - scene.views[1].world_from_cam.translation)
+        .norm();
+  }
+
   // OpenCV's features, so that the test is the same where COLMAP is installed.
   PlaceReport Place(Scene& scene, RunContext& with) const {
     PlaceOptions options;
@@ -93,13 +119,8 @@ TEST_F(PlacePanoramasTest, PlacesTheCamerasOfARoom) {
   Scene scene = Pictures();
   const PlaceReport report = Place(scene, context);
   ASSERT_EQ(scene.views[1].component_idx, 0);
-  const double true_m =
-      (home.WorldFromCamera(0).translation - home.WorldFromCamera(1).translation).norm();
-  const double found_m =
-      (scene.views[0].world_from_cam.translation - scene.views[1].world_from_cam.translation)
-          .norm();
   // Few features lie on this floor, and some on baseboards: the scale of two pictures is that good.
-  EXPECT_NEAR(found_m, true_m, 0.12 * true_m);
+  EXPECT_NEAR(FoundDistance(scene), TrueDistance(), 0.12 * TrueDistance());
   EXPECT_LT(WorstTilt_deg(scene), 0.1);
   EXPECT_GE(scene.points.size(), 40U);
   for (const ScenePoint& point : scene.points) {
@@ -118,6 +139,32 @@ TEST_F(PlacePanoramasTest, FindsTheTiltOfCameras) {
   Scene scene = Pictures();
   static_cast<void>(Place(scene, context));
   EXPECT_LT(WorstTilt_deg(scene), 0.2);
+}
+
+TEST_F(PlacePanoramasTest, TurnsOverWhatStandsUpsideDown) {
+  Make(2);
+  Flip(1, true, true);
+  Scene scene = Pictures();
+  const PlaceReport report = Place(scene, context);
+  EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr(home.cameras[1].picture +
+                                                                    " stands upside down beside " +
+                                                                    home.cameras[0].picture)));
+  ASSERT_EQ(scene.views[1].component_idx, 0);
+  EXPECT_NEAR(FoundDistance(scene), TrueDistance(), 0.12 * TrueDistance());
+  const Eigen::Vector3d up = scene.views[1].world_from_cam.rotation.row(2);
+  const Eigen::Vector3d true_up = home.WorldFromCamera(1).rotation.row(2);
+  EXPECT_LT(RadToDeg(up.cross(Eigen::Vector3d(-1, -1, 1).cwiseProduct(true_up)).norm()), 0.2);
+  EXPECT_GT(up.y(), 0.99);
+}
+
+TEST_F(PlacePanoramasTest, NamesWhatIsMirrored) {
+  Make(0);
+  Flip(1, false, true);
+  Scene scene = Pictures();
+  const PlaceReport report = Place(scene, context);
+  EXPECT_THAT(report.warnings,
+              testing::Contains(testing::HasSubstr(home.cameras[1].picture + " is mirrored")));
+  EXPECT_EQ(scene.views[1].component_idx, 1);
 }
 
 TEST_F(PlacePanoramasTest, IsTheSameForAnyNumberOfThreads) {

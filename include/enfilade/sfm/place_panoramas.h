@@ -65,6 +65,10 @@ struct PlaceReport {
 /// component is a storey of its own, since nothing says how it lies to the others, with its
 /// cameras' mean at the origin.
 ///
+/// Panoramas that stand upside down beside the others are registered so, with a warning. Mirrored
+/// ones, copies of one picture and what nothing ties to the rest are named in warnings, as are
+/// pictures whose lines contradict the vertical that their metadata tell.
+///
 /// What was seen of a picture is left in `work_folder`, as files in `features/` or, where COLMAP
 /// finds the features, in its database, so that a run that was stopped goes on. Files that are
 /// damaged, or came from other options, another mask or another `program` (a text that changes with

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/sfm/odd_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "enfilade/geometry/angles.h"
+#include "enfilade/sfm/descriptor_matcher.h"
+#include "enfilade/sfm/two_view.h"
+#include "src/sfm/level_rays.h"
+#include "src/sfm/median.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector3d;
+
+// Far below the usual bound, as most panoramas that are tried stand upright. Of a thousand pairs of
+// upright panoramas, half on a real tour, the best reached -4 turned over; mirrored, where walls
+// look the same from left and right, those that nothing else ties reached -8. True ties have -30.
+constexpr double kClearUpsideDown = -8;
+constexpr double kClearMirrored = -12;
+constexpr size_t kClearSamePlace = 30;  // matches
+constexpr int kSmallShare = 3;
+constexpr double kCopyAngle_rad = DegToRad(0.3);
+constexpr double kCopyShare = 0.3;
+
+// A panorama as it is compared.
+struct Trial {
+  PanoFeatures features;
+  Gravity gravity;
+};
+
+std::vector<std::vector<int>> ViewsOfComponents(std::span<const int> component_idx) {
+  std::vector<std::vector<int>> views;
+  for (size_t i = 0; i < component_idx.size(); ++i) {
+    const size_t component = static_cast<size_t>(component_idx[i]);
+    if (component >= views.size()) views.resize(component + 1);
+    views[component].push_back(static_cast<int>(i));
+  }
+  return views;
+}
+
+bool IsSmall(const std::vector<int>& component, const std::vector<int>& largest) {
+  return component.size() == 1 || kSmallShare * component.size() <= largest.size();
+}
+
+bool IsClear(const PanoPair& pair, double max_log10_chance) {
+  if (pair.verdict == PairVerdict::kSamePlace) return pair.inliers.size() >= kClearSamePlace;
+  return pair.verdict == PairVerdict::kAccepted && pair.log10_chance <= max_log10_chance;
+}
+
+PanoPair Compare(const Trial& trial, const PanoFeatures& partner, const Gravity& partner_gravity,
+                 const RegisterOptions& options) {
+  const std::vector<FeatureMatch> matches =
+      MatchDescriptors(trial.features.descriptors, partner.descriptors, options.match);
+  return EstimatePair(TurnLevel(trial.features, trial.gravity), TurnLevel(partner, partner_gravity),
+                      matches, options.two_view, HeadingDifference(trial.gravity, partner_gravity));
+}
+
+// The clearest tie between the views, changed by `change`, and the partners.
+std::optional<OddTie> ClearestTie(std::span<const PanoFeatures> features,
+                                  std::span<const Gravity> gravity, std::span<const int> views,
+                                  std::span<const int> partners, double max_log10_chance,
+                                  const RegisterOptions& options, RunContext& context,
+                                  const std::function<Trial(size_t view_idx)>& change) {
+  std::vector<Trial> trials;
+  for (const int view : views) trials.push_back(change(static_cast<size_t>(view)));
+  std::vector<std::optional<OddTie>> ties(views.size() * partners.size());
+  ParallelFor(context, "compare odd pictures", static_cast<int64_t>(ties.size()), [&](int64_t k) {
+    const size_t at = static_cast<size_t>(k);
+    const size_t trial = at / partners.size();
+    const size_t partner = static_cast<size_t>(partners[at % partners.size()]);
+    const PanoPair pair = Compare(trials[trial], features[partner], gravity[partner], options);
+    if (IsClear(pair, max_log10_chance))
+      ties[at] = {views[trial], static_cast<int>(partner), pair.log10_chance};
+  });
+  std::optional<OddTie> best;
+  for (const std::optional<OddTie>& tie : ties) {
+    if (tie && (!best || tie->log10_chance < best->log10_chance)) best = tie;
+  }
+  return best;
+}
+
+}  // namespace
+
+Gravity TurnedOver(const Gravity& gravity) {
+  Gravity turned = gravity;
+  turned.up_in_cam = -gravity.up_in_cam;
+  if (gravity.heading_rad) turned.heading_rad = WrapQuarter(-*gravity.heading_rad);
+  return turned;
+}
+
+Gravity Mirrored(const Gravity& gravity) {
+  Gravity mirrored = gravity;
+  mirrored.up_in_cam.x() = -gravity.up_in_cam.x();
+  if (gravity.heading_rad) mirrored.heading_rad = WrapQuarter(-*gravity.heading_rad);
+  return mirrored;
+}
+
+PanoFeatures Mirrored(const PanoFeatures& features) {
+  constexpr int kSide = 4, kAngles = 8;
+  PanoFeatures mirrored = features;
+  for (Eigen::Vector3f& ray : mirrored.rays) ray.x() = -ray.x();
+  for (int i = 0; i < features.size(); ++i) {
+    const uint8_t* from = features.descriptors.row(i);
+    uint8_t* to = mirrored.descriptors.values.data() + static_cast<size_t>(i) * kDescriptorSize;
+    for (int row = 0; row < kSide; ++row) {
+      for (int col = 0; col < kSide; ++col) {
+        for (int angle = 0; angle < kAngles; ++angle) {
+          to[((kSide - 1 - row) * kSide + col) * kAngles + (kAngles - angle) % kAngles] =
+              from[(row * kSide + col) * kAngles + angle];
+        }
+      }
+    }
+  }
+  return mirrored;
+}
+
+std::vector<OddTie> TurnOverTheUpsideDown(std::span<const PanoFeatures> features,
+                                          std::span<const int> component_idx,
+                                          const RegisterOptions& options, RunContext& context,
+                                          std::vector<Gravity>& gravity) {
+  const std::vector<std::vector<int>> components = ViewsOfComponents(component_idx);
+  std::vector<int> partners = components.front();
+  std::vector<OddTie> ties;
+  for (size_t k = 1; k < components.size(); ++k) {
+    const std::vector<int>& views = components[k];
+    const auto turn_over = [&](size_t i) { return Trial{features[i], TurnedOver(gravity[i])}; };
+    const auto tie = ClearestTie(features, gravity, views, partners, kClearUpsideDown, options,
+                                 context, turn_over);
+    if (tie) {
+      ties.push_back(*tie);
+      for (const int view : views) {
+        gravity[static_cast<size_t>(view)] = TurnedOver(gravity[static_cast<size_t>(view)]);
+      }
+    }
+    partners.insert(partners.end(), views.begin(), views.end());
+  }
+  return ties;
+}
+
+std::vector<OddTie> FindMirrored(std::span<const PanoFeatures> features,
+                                 std::span<const Gravity> gravity,
+                                 std::span<const int> component_idx, const RegisterOptions& options,
+                                 RunContext& context) {
+  const std::vector<std::vector<int>> components = ViewsOfComponents(component_idx);
+  std::vector<int> partners = components.front();
+  std::vector<OddTie> ties;
+  for (size_t k = 1; k < components.size(); ++k) {
+    const std::vector<int>& views = components[k];
+    const auto mirror = [&](size_t i) {
+      return Trial{Mirrored(features[i]), Mirrored(gravity[i])};
+    };
+    if (IsSmall(views, components.front())) {
+      const auto tie =
+          ClearestTie(features, gravity, views, partners, kClearMirrored, options, context, mirror);
+      if (tie) ties.push_back(*tie);
+    }
+    partners.insert(partners.end(), views.begin(), views.end());
+  }
+  return ties;
+}
+
+std::vector<OddTie> FindCopies(std::span<const PanoFeatures> features,
+                               std::span<const Gravity> gravity, std::span<const PanoPair> pairs) {
+  std::vector<OddTie> copies;
+  for (const PanoPair& pair : pairs) {
+    if (pair.verdict != PairVerdict::kSamePlace) continue;
+    const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
+    const double num_features = std::min(features[a].size(), features[b].size());
+    if (static_cast<double>(pair.inliers.size()) < kCopyShare * num_features) continue;
+    const std::vector<Vector3d> rays_a = TurnLevel(features[a], gravity[a]);
+    const std::vector<Vector3d> rays_b = TurnLevel(features[b], gravity[b]);
+    std::vector<double> angles;
+    for (const FeatureMatch& match : pair.inliers) {
+      angles.push_back((rays_a[static_cast<size_t>(match.a_idx)] -
+                        pair.a_from_b * rays_b[static_cast<size_t>(match.b_idx)])
+                           .norm());
+    }
+    if (Median(angles) < kCopyAngle_rad) copies.push_back({pair.b_idx, pair.a_idx, 0});
+  }
+  return copies;
+}
+
+}  // namespace enfilade
