@@ -183,7 +183,7 @@ TEST_F(SceneReaderTest, LeavesOutPartsOfPanoramas) {
                                 HasSubstr("left out"))));
   // With a pose it would put everything in wrong places.
   WriteFrames({UprightFrame("images/a.png"), UprightFrame("images/part.png", 2)});
-  EXPECT_THAT(SceneRefusal(folder), HasSubstr("part.png is a part of a panorama"));
+  EXPECT_THAT(SceneRefusal(folder), HasSubstr("part.png: is a part of a panorama"));
 }
 
 TEST_F(SceneReaderTest, KeepsTheVerticalThatMetadataTell) {
