@@ -33,6 +33,8 @@ Action SetupFromPictures(CLI::App& parser, const std::string& last_stage,
                                    "Pose file or COLMAP folder; none: pictures alone");
   arguments->options.RegisterAlias(parser, "--camera-height", "sfm.camera_height_m",
                                    "Height of the cameras above the floor, metres");
+  arguments->options.RegisterAlias(parser, "--known-distance", "sfm.scale.known_distance",
+                                   "Distance between two cameras: PICTURE,PICTURE,METRES");
   arguments->options.RegisterAlias(parser, "--mask", "sfm.mask",
                                    "Picture (or folder of them) that is 0 where to ignore");
   return [arguments, last_stage] {

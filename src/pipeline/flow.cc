@@ -65,6 +65,10 @@ std::vector<RoomOutline> FindOutlines(const Scene& scene, RunContext& context) {
 StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmOptions& options,
                        RunContext& context) {
   Scene scene = read;
+  if (scene.pose_source != PoseSource::kEstimated &&
+      !options.placing.scale.known_distance.empty()) {
+    context.log().Warning("--known-distance is not used: the poses are given, with their scale");
+  }
   if (scene.pose_source == PoseSource::kEstimated) {
     if (std::filesystem::exists(workspace.scene_file())) {
       scene = ReadSceneJson(workspace.scene_file());

@@ -7,7 +7,8 @@
 namespace enfilade {
 
 std::span<const std::string_view> EnumNames(ScaleSource) {
-  static constexpr std::array<std::string_view, 3> kNames = {"poses", "camera_height", "assumed"};
+  static constexpr std::array<std::string_view, 4> kNames = {"poses", "camera_height",
+                                                             "known_distance", "assumed"};
   return kNames;
 }
 

@@ -10,6 +10,9 @@ namespace enfilade {
 namespace {
 
 constexpr double kGivenSigma = 0.01;
+constexpr double kTapeSigma = 0.005;
+constexpr double kPlaceSigma = 0.02;  // of the distance of two cameras, camera heights
+constexpr double kDoorSigma = 0.025;
 constexpr double kUsualHeightSigma = 0.10;
 constexpr double kUsualCeilingSigma = 0.12;
 constexpr double kMinCeiling_m = 2.2, kMaxCeiling_m = 4.0;
@@ -21,13 +24,40 @@ double Highest(std::span<const double> ceilings) {
   return *std::max_element(ceilings.begin(), ceilings.end());
 }
 
-void Combine(MetricScale& scale) {
-  double weight = 0, sum = 0;
-  for (const ScaleCue& cue : scale.cues) {
-    const double w = 1 / (cue.log_sigma * cue.log_sigma);
-    weight += w;
-    sum += w * std::log(cue.metres);
+std::vector<ScaleCue> CuesOf(const ScaleEvidence& evidence, const ScaleOptions& options) {
+  std::vector<ScaleCue> cues;
+  if (evidence.given_height_m) {
+    cues.push_back({"given camera height", *evidence.given_height_m, kGivenSigma, true});
   }
+  for (const MeasuredDistance& distance : evidence.distances) {
+    cues.push_back({"distance " + distance.name, distance.metres / distance.camera_heights,
+                    std::hypot(kTapeSigma, kPlaceSigma / distance.camera_heights), true});
+  }
+  if (evidence.door_head) {
+    cues.push_back({"door heads", options.assumed_door_m / *evidence.door_head, kDoorSigma});
+  }
+  if (!evidence.given_height_m) {
+    cues.push_back({"usual camera height", options.assumed_height_m, kUsualHeightSigma});
+  }
+  if (!evidence.ceilings.empty()) {
+    cues.push_back({"usual height of rooms", options.assumed_ceiling_m / Highest(evidence.ceilings),
+                    kUsualCeilingSigma});
+  }
+  return cues;
+}
+
+// Usual sizes do not bend what the user has measured.
+void Combine(MetricScale& scale) {
+  const bool has_measured = std::any_of(scale.cues.begin(), scale.cues.end(),
+                                        [](const ScaleCue& cue) { return cue.is_measured; });
+  double weight = 0, sum = 0;
+  for (ScaleCue& cue : scale.cues) {
+    if (has_measured && !cue.is_measured) continue;
+    cue.weight = 1 / (cue.log_sigma * cue.log_sigma);
+    weight += cue.weight;
+    sum += cue.weight * std::log(cue.metres);
+  }
+  for (ScaleCue& cue : scale.cues) cue.weight /= weight;
   scale.camera_height_m = std::exp(sum / weight);
   scale.log_sigma = 1 / std::sqrt(weight);
 }
@@ -36,9 +66,9 @@ void WarnOfDisagreement(MetricScale& scale) {
   for (const ScaleCue& cue : scale.cues) {
     const double apart = std::abs(std::log(cue.metres / scale.camera_height_m));
     if (apart < kDisagreement * cue.log_sigma) continue;
-    scale.warnings.push_back(fmt::format(
-        "the {} says that cameras stand at {:.2f} m, the scale that was taken at {:.2f} m",
-        cue.name, cue.metres, scale.camera_height_m));
+    scale.warnings.push_back(
+        fmt::format("scale: {} puts cameras at {:.2f} m, all that counts together at {:.2f} m",
+                    cue.name, cue.metres, scale.camera_height_m));
   }
 }
 
@@ -58,25 +88,24 @@ void WarnOfImplausible(std::span<const double> ceilings, MetricScale& scale) {
 
 }  // namespace
 
-MetricScale FindMetricScale(std::optional<double> given_height_m, std::span<const double> ceilings,
-                            const ScaleOptions& options) {
+MetricScale FindMetricScale(const ScaleEvidence& evidence, const ScaleOptions& options) {
   MetricScale scale;
-  if (given_height_m) {
-    scale.source = ScaleSource::kCameraHeight;
-    scale.cues.push_back({"given camera height", *given_height_m, kGivenSigma});
-  } else {
-    scale.cues.push_back({"usual camera height", options.assumed_height_m, kUsualHeightSigma});
-  }
-  if (!ceilings.empty()) {
-    scale.cues.push_back({"usual height of rooms", options.assumed_ceiling_m / Highest(ceilings),
-                          kUsualCeilingSigma});
-  }
+  scale.cues = CuesOf(evidence, options);
+  if (evidence.given_height_m) scale.source = ScaleSource::kCameraHeight;
+  if (!evidence.distances.empty()) scale.source = ScaleSource::kKnownDistance;
   Combine(scale);
-  // Usual sizes do not bend what the user has measured.
-  if (given_height_m) scale.camera_height_m = *given_height_m;
+  // Without the last bit that exp(log(x)) may lose.
+  if (evidence.given_height_m && evidence.distances.empty()) {
+    scale.camera_height_m = *evidence.given_height_m;
+  }
   WarnOfDisagreement(scale);
-  WarnOfImplausible(ceilings, scale);
+  WarnOfImplausible(evidence.ceilings, scale);
   return scale;
+}
+
+std::string DescribeCue(const ScaleCue& cue) {
+  return fmt::format("{}: cameras stand at {:.3f} m ± {:.1f} %, weight {:.0f} %", cue.name,
+                     cue.metres, 100 * cue.log_sigma, 100 * cue.weight);
 }
 
 }  // namespace enfilade

@@ -13,6 +13,7 @@
 #include "enfilade/sfm/colmap_features.h"
 #include "enfilade/sfm/gravity.h"
 #include "src/sfm/component_heading.h"
+#include "src/sfm/door_heads.h"
 #include "src/sfm/odd_pictures.h"
 #include "src/sfm/picture_warnings.h"
 #include "src/sfm/pixel_of_ray.h"
@@ -239,12 +240,36 @@ Registration Register(const Scene& scene, const PlaceOptions& options, RunContex
   return registration;
 }
 
+std::optional<double> DoorHead(const Seen& seen, const ScaleOptions& options) {
+  std::vector<std::vector<UprightEdge>> edges;
+  for (size_t i = 0; i < seen.segments.size(); ++i) {
+    edges.push_back(UprightEdges(seen.segments[i], LevelFromCam(seen.gravity[i])));
+  }
+  return FindDoorHead(edges, options.assumed_door_m / options.assumed_height_m);
+}
+
+MetricScale FindScale(std::optional<double> given_height_m, std::span<const View> views,
+                      std::span<const KnownDistance> known, const Seen& seen,
+                      const Registration& registration, const ScaleOptions& options) {
+  std::vector<Vector3d> positions;
+  for (const Rigid3& pose : registration.world_from_cam) positions.push_back(pose.translation);
+  return FindMetricScale(
+      {.given_height_m = given_height_m,
+       .distances = MeasureDistances(known, views, positions, registration.component_idx),
+       .door_head = DoorHead(seen, options),
+       .ceilings = registration.ceilings},
+      options);
+}
+
 }  // namespace
 
 PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings& surroundings,
                            RunContext& context, Scene& scene) {
   ENFILADE_CHECK(!scene.views.empty());
-  Seen seen = LookAtPictures(scene, options, surroundings.work_folder, surroundings.program, context);
+  const std::vector<KnownDistance> known =
+      ParseKnownDistances(options.scale.known_distance, scene.views);
+  Seen seen =
+      LookAtPictures(scene, options, surroundings.work_folder, surroundings.program, context);
   PlaceReport report;
   WarnOfToldVerticals(scene.views, seen.gravity, report.warnings);
   for (const PanoFeatures& features : seen.features) report.num_features.push_back(features.size());
@@ -252,15 +277,19 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
   registration = Register(scene, options, context, seen, report.warnings);
   const std::optional<double> given_height_m = scene.camera_height_m;
   std::vector<Rigid3> world_from_component;
-  const auto place = [&] {
-    report.scale = FindMetricScale(given_height_m, registration.ceilings, options.scale);
+  const auto place = [&](std::span<const KnownDistance> distances) {
+    report.scale = FindScale(given_height_m, scene.views, distances, seen, registration,
+                             options.scale);
     world_from_component = AlignComponents(seen, registration);
     scene.scale_source = report.scale.source;
     scene.camera_height_m = report.scale.camera_height_m;
     SetPoses(registration, world_from_component, report.scale.camera_height_m, scene);
   };
-  place();
-  if (world_from_component.size() > 1 && surroundings.find_outlines) {
+  const int num_components =
+      1 + *std::max_element(registration.component_idx.begin(), registration.component_idx.end());
+  if (num_components > 1 && surroundings.find_outlines) {
+    // A known distance may be one between components.
+    place({});
     const std::vector<RoomOutline> outlines = surroundings.find_outlines(scene, context);
     std::vector<Rigid3> world_from_cam;
     for (const View& view : scene.views) world_from_cam.push_back(view.world_from_cam);
@@ -270,9 +299,10 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
     if (!report.joins.empty()) {
       ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, registration);
       RefineRegistration(seen.features, seen.gravity, options.registration, context, registration);
-      place();
     }
   }
+  place(known);
+  for (const ScaleCue& cue : report.scale.cues) context.log().Info(DescribeCue(cue));
   WarnOfUntied(scene.views, registration.component_idx, report.warnings);
   report.warnings.insert(report.warnings.end(), report.scale.warnings.begin(),
                          report.scale.warnings.end());

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
 #include "enfilade/geometry/angles.h"
@@ -87,9 +88,10 @@ class PlacePanoramasTest : public testing::Test {
   }
 
   // OpenCV's features, so that the test is the same where COLMAP is installed.
-  PlaceReport Place(Scene& scene, RunContext& with) const {
+  PlaceReport Place(Scene& scene, RunContext& with, const std::string& known_distance = "") const {
     PlaceOptions options;
     options.features.source = FeatureSource::kOpenCv;
+    options.scale.known_distance = known_distance;
     return PlacePanoramas(options, {temp.path() / "sfm", program, {}}, with, scene);
   }
 
@@ -165,6 +167,19 @@ TEST_F(PlacePanoramasTest, NamesWhatIsMirrored) {
   EXPECT_THAT(report.warnings,
               testing::Contains(testing::HasSubstr(home.cameras[1].picture + " is mirrored")));
   EXPECT_EQ(scene.views[1].component_idx, 1);
+}
+
+TEST_F(PlacePanoramasTest, TakesAKnownDistance) {
+  Make(0);
+  Scene scene = Pictures();
+  scene.camera_height_m.reset();
+  const std::string pictures = home.cameras[0].picture + "," + home.cameras[1].picture;
+  static_cast<void>(Place(scene, context, pictures + ",3.25"));
+  EXPECT_NEAR(FoundDistance(scene), 3.25, 0.001);
+  EXPECT_EQ(scene.scale_source, ScaleSource::kKnownDistance);
+  Scene untied = Pictures();
+  Flip(1, false, true);
+  EXPECT_THROW(static_cast<void>(Place(untied, context, pictures + ",3.25")), InvalidInputError);
 }
 
 TEST_F(PlacePanoramasTest, IsTheSameForAnyNumberOfThreads) {

@@ -42,7 +42,7 @@ struct ScenePoint {
 };
 
 /// How the length unit of the world became metres.
-enum class ScaleSource { kPoses, kCameraHeight, kAssumed };
+enum class ScaleSource { kPoses, kCameraHeight, kKnownDistance, kAssumed };
 [[nodiscard]] std::span<const std::string_view> EnumNames(ScaleSource);
 
 /// Which file the poses came from.

@@ -72,9 +72,10 @@ struct PlaceReport {
 /// What was seen of a picture is left in `work_folder`, as files in `features/` or, where COLMAP
 /// finds the features, in its database, so that a run that was stopped goes on. Files that are
 /// damaged, or came from other options, another mask or another `program` (a text that changes with
-/// the code), are made anew. `scene.camera_height_m` sets the scale where given. Throws IoError and
-/// InvalidInputError for pictures that cannot be read, StoppedError. Cost: about two seconds a
-/// picture on one core, and matching of the pairs that SelectPairs takes.
+/// the code), are made anew. `scene.camera_height_m` and known distances set the scale where given
+/// (FindMetricScale). Throws IoError and InvalidInputError for pictures that cannot be read and for
+/// known distances that cannot be used, StoppedError. Cost: about two seconds a picture on one core,
+/// and matching of the pairs that SelectPairs takes.
 [[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options,
                                          const PlaceSurroundings& surroundings,
                                          RunContext& context, Scene& scene);
