@@ -59,10 +59,10 @@ struct MeasuredDistance {
 
 /// What is known of the scale. Lengths without unit are in camera heights.
 struct ScaleEvidence {
-  std::optional<double> given_height_m;  ///< by the user
-  std::vector<MeasuredDistance> distances;
-  std::optional<double> door_head;  ///< height of door heads above the floor
-  std::vector<double> ceilings;     ///< heights of level planes above the cameras
+  std::optional<double> given_height_m{};  ///< by the user
+  std::vector<MeasuredDistance> distances{};
+  std::optional<double> door_head{};  ///< height of door heads above the floor
+  std::vector<double> ceilings{};     ///< heights of level planes above the cameras
 };
 
 /// One thing that tells how long a camera height is.
