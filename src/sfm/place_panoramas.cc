@@ -278,8 +278,8 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
   const std::optional<double> given_height_m = scene.camera_height_m;
   std::vector<Rigid3> world_from_component;
   const auto place = [&](std::span<const KnownDistance> distances) {
-    report.scale = FindScale(given_height_m, scene.views, distances, seen, registration,
-                             options.scale);
+    report.scale =
+        FindScale(given_height_m, scene.views, distances, seen, registration, options.scale);
     world_from_component = AlignComponents(seen, registration);
     scene.scale_source = report.scale.source;
     scene.camera_height_m = report.scale.camera_height_m;

@@ -74,10 +74,10 @@ struct PlaceReport {
 /// damaged, or came from other options, another mask or another `program` (a text that changes with
 /// the code), are made anew. `scene.camera_height_m` and known distances set the scale where given
 /// (FindMetricScale). Throws IoError and InvalidInputError for pictures that cannot be read and for
-/// known distances that cannot be used, StoppedError. Cost: about two seconds a picture on one core,
-/// and matching of the pairs that SelectPairs takes.
+/// known distances that cannot be used, StoppedError. Cost: about two seconds a picture on one
+/// core, and matching of the pairs that SelectPairs takes.
 [[nodiscard]] PlaceReport PlacePanoramas(const PlaceOptions& options,
-                                         const PlaceSurroundings& surroundings,
-                                         RunContext& context, Scene& scene);
+                                         const PlaceSurroundings& surroundings, RunContext& context,
+                                         Scene& scene);
 
 }  // namespace enfilade
