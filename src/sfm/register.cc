@@ -11,6 +11,7 @@
 #include "enfilade/sfm/pair_length.h"
 #include "enfilade/sfm/positions.h"
 #include "enfilade/sfm/view_graph.h"
+#include "src/sfm/guided_matches.h"
 #include "src/sfm/level_rays.h"
 
 namespace enfilade {
@@ -189,6 +190,10 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
         {RotationZ(yaws[i]) * LevelFromCam(gravity[i]), {positions[i].x(), positions[i].y(), 1}});
   }
   RefineRegistration(features, gravity, options, context, registration);
+  if (options.use_guided) {
+    MatchGuided(features, options, context, registration);
+    RefineRegistration(features, gravity, options, context, registration);
+  }
   return registration;
 }
 

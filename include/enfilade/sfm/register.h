@@ -22,12 +22,22 @@ struct RegisterOptions {
   DescriptorMatchOptions match;
   TwoViewOptions two_view;
   BundleOptions bundle;
+  bool use_guided = true;
+  double guided_ratio = 0.85;
+  double guided_deg = 0.2;
+  double guided_reach = 5.0;
 
   void Visit(OptionVisitor& v) {
     v("selection", selection, "Which panoramas are matched.");
     v("match", match, "Matches between two panoramas.");
     v("two_view", two_view, "Pairs of panoramas.");
     v("bundle", bundle, "Refinement of all poses together.");
+    v("use_guided", use_guided, "Match once more when poses are known.");
+    v("guided_ratio", guided_ratio, "Ratio test of these matches: looser.", {0.5, 1.0});
+    v("guided_deg", guided_deg,
+      "They agree when their rays are this near to a common plane with the baseline.", {0.01, 3.0});
+    v("guided_reach", guided_reach, "Farthest two panoramas matched so, in camera heights.",
+      {0.1, 100.0});
   }
 };
 
