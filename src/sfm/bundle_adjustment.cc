@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "enfilade/geometry/angles.h"
+#include "src/sfm/median.h"
 
 namespace enfilade {
 namespace {
@@ -63,17 +64,18 @@ struct RayResidual {
   Eigen::Matrix<double, 2, 3> across;
 };
 
-// How far the camera's vertical leans from the world's.
+// How far the camera's vertical leans from the world's, which leans by `lean` from its z axis.
 struct VerticalResidual {
   Vector3d up_in_cam;
   double sigma_rad;
+  Eigen::Vector2d lean;
   template <typename T>
   bool operator()(const T* camera, T* residual) const {
     const T up[3] = {T(up_in_cam.x()), T(up_in_cam.y()), T(up_in_cam.z())};
     T up_in_world[3];
     ceres::AngleAxisRotatePoint(camera, up, up_in_world);
-    residual[0] = up_in_world[0] / sigma_rad;
-    residual[1] = up_in_world[1] / sigma_rad;
+    residual[0] = (up_in_world[0] - lean.x()) / sigma_rad;
+    residual[1] = (up_in_world[1] - lean.y()) / sigma_rad;
     return true;
   }
 };
@@ -121,25 +123,117 @@ struct CeilingResidual {
   }
 };
 
+// How far a camera is from where it was given.
+struct GivenPoseResidual {
+  GivenPoseResidual(const Rigid3& given, double position_sigma_m, double rotation_sigma_rad)
+      : position(given.translation),
+        position_sigma(position_sigma_m),
+        rotation_sigma(rotation_sigma_rad) {
+    std::array<double, 4> q{};
+    ceres::AngleAxisToQuaternion(ToBlock(given).data(), q.data());
+    cam_from_given = {q[0], -q[1], -q[2], -q[3]};
+  }
+  template <typename T>
+  bool operator()(const T* camera, T* residual) const {
+    const T inverse[4] = {T(cam_from_given[0]), T(cam_from_given[1]), T(cam_from_given[2]),
+                          T(cam_from_given[3])};
+    T quaternion[4], apart[4], turn[3];
+    ceres::AngleAxisToQuaternion(camera, quaternion);
+    ceres::QuaternionProduct(inverse, quaternion, apart);
+    ceres::QuaternionToAngleAxis(apart, turn);
+    for (int k = 0; k < 3; ++k) {
+      residual[k] = (camera[3 + k] - position[k]) / position_sigma;
+      residual[3 + k] = turn[k] / rotation_sigma;
+    }
+    return true;
+  }
+  Vector3d position;
+  std::array<double, 4> cam_from_given{};
+  double position_sigma, rotation_sigma;
+};
+
+// Where the verticals point in the world of given poses: level parts, the median of the cameras
+// that are used; along z where errors of the given rotations explain that they do not.
+Eigen::Vector2d LeanOf(std::span<const Rigid3> given, std::span<const Gravity> gravity,
+                       const std::vector<bool>& is_used, double rotation_sigma_rad) {
+  constexpr double kSignificance = 3;
+  std::vector<double> x, y;
+  for (size_t i = 0; i < given.size(); ++i) {
+    if (!is_used[i]) continue;
+    const Vector3d up = given[i].rotation * gravity[i].up_in_cam;
+    x.push_back(up.x());
+    y.push_back(up.y());
+  }
+  const Eigen::Vector2d lean(Median(x), Median(y));
+  const double bound =
+      kSignificance * rotation_sigma_rad / std::sqrt(static_cast<double>(x.size()));
+  return lean.norm() < bound ? Eigen::Vector2d(0, 0) : lean;
+}
+
+// Cameras and points while they are refined, and what is known of them.
 class Bundle {
  public:
-  Bundle(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
-         const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
-         std::vector<Track>& tracks, LevelPlanes& planes)
-      : features_(features),
-        gravity_(gravity),
-        options_(options),
-        world_from_cam_(world_from_cam),
-        tracks_(tracks),
-        planes_(planes) {
+  Bundle(std::span<const PanoFeatures> features, const BundleOptions& options,
+         std::vector<Rigid3>& world_from_cam, std::vector<Track>& tracks)
+      : features_(features), options_(options), world_from_cam_(world_from_cam), tracks_(tracks) {
     for (const Rigid3& pose : world_from_cam) blocks_.push_back(ToBlock(pose));
     is_used_.resize(world_from_cam.size(), false);
+    AddRays();
+  }
+
+  void AddCameraPriors(std::span<const Gravity> gravity) {
+    bool is_anchored = false;
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (!is_used_[i]) continue;
+      AddVertical(gravity[i], {0, 0}, blocks_[i]);
+      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<HeightResidual, 1, 6>(
+                                    new HeightResidual{options_.camera_height_sigma}),
+                                new ceres::CauchyLoss(2.0), blocks_[i].data());
+      if (is_anchored) continue;
+      is_anchored = true;
+      const Rigid3& pose = world_from_cam_[i];
+      // Of the level axes the one that the camera's x or z is nearest to the horizon along.
+      const Vector3d forward = Vector3d::UnitX();
+      const Vector3d in_world = pose.rotation * forward;
+      const Vector3d left = Vector3d::UnitZ().cross(in_world).normalized();
+      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<AnchorResidual, 3, 6>(
+                                    new AnchorResidual{blocks_[i], forward, left}),
+                                nullptr, blocks_[i].data());
+    }
+  }
+
+  void AddPlanes(LevelPlanes& planes) {
+    const double reach = kPlaneReach * options_.plane_sigma;
+    for (Track& track : tracks_) {
+      if (std::abs(track.position.z() - planes.floor) < reach) {
+        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<FloorResidual, 1, 3>(
+                                      new FloorResidual{planes.floor, options_.plane_sigma}),
+                                  new ceres::CauchyLoss(1.0), track.position.data());
+      }
+      for (double& ceiling : planes.ceilings) {
+        if (std::abs(track.position.z() - ceiling) >= reach) continue;
+        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<CeilingResidual, 1, 3, 1>(
+                                      new CeilingResidual{options_.plane_sigma}),
+                                  new ceres::CauchyLoss(1.0), track.position.data(), &ceiling);
+        break;
+      }
+    }
+  }
+
+  void AddGivenPoses(std::span<const Rigid3> given, std::span<const Gravity> gravity,
+                     const GivenPoseSigmas& sigmas) {
+    const Eigen::Vector2d lean = LeanOf(given, gravity, is_used_, sigmas.rotation_rad);
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (!is_used_[i]) continue;
+      problem_.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<GivenPoseResidual, 6, 6>(
+              new GivenPoseResidual(given[i], sigmas.position_m, sigmas.rotation_rad)),
+          new ceres::CauchyLoss(2.0), blocks_[i].data());
+      AddVertical(gravity[i], lean, blocks_[i]);
+    }
   }
 
   double Solve() {
-    AddRays();
-    AddCameraPriors();
-    AddPlanes();
     ceres::Solver::Options solver;
     constexpr int kMaxDenseCameras = 120;
     solver.linear_solver_type =
@@ -156,6 +250,12 @@ class Bundle {
   }
 
  private:
+  void AddVertical(const Gravity& gravity, const Eigen::Vector2d& lean, CameraBlock& block) {
+    problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<VerticalResidual, 2, 6>(
+                                  new VerticalResidual{gravity.up_in_cam, gravity.sigma_rad, lean}),
+                              new ceres::CauchyLoss(2.0), block.data());
+  }
+
   [[nodiscard]] Vector3d RayOf(const Observation& observation) const {
     return features_[static_cast<size_t>(observation.view_idx)]
         .rays[static_cast<size_t>(observation.feature_idx)]
@@ -176,48 +276,6 @@ class Bundle {
     }
   }
 
-  void AddCameraPriors() {
-    bool is_anchored = false;
-    for (size_t i = 0; i < blocks_.size(); ++i) {
-      if (!is_used_[i]) continue;
-      problem_.AddResidualBlock(
-          new ceres::AutoDiffCostFunction<VerticalResidual, 2, 6>(
-              new VerticalResidual{gravity_[i].up_in_cam, gravity_[i].sigma_rad}),
-          new ceres::CauchyLoss(2.0), blocks_[i].data());
-      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<HeightResidual, 1, 6>(
-                                    new HeightResidual{options_.camera_height_sigma}),
-                                new ceres::CauchyLoss(2.0), blocks_[i].data());
-      if (is_anchored) continue;
-      is_anchored = true;
-      const Rigid3& pose = world_from_cam_[i];
-      // Of the level axes the one that the camera's x or z is nearest to the horizon along.
-      const Vector3d forward = Vector3d::UnitX();
-      const Vector3d in_world = pose.rotation * forward;
-      const Vector3d left = Vector3d::UnitZ().cross(in_world).normalized();
-      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<AnchorResidual, 3, 6>(
-                                    new AnchorResidual{blocks_[i], forward, left}),
-                                nullptr, blocks_[i].data());
-    }
-  }
-
-  void AddPlanes() {
-    const double reach = kPlaneReach * options_.plane_sigma;
-    for (Track& track : tracks_) {
-      if (std::abs(track.position.z() - planes_.floor) < reach) {
-        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<FloorResidual, 1, 3>(
-                                      new FloorResidual{planes_.floor, options_.plane_sigma}),
-                                  new ceres::CauchyLoss(1.0), track.position.data());
-      }
-      for (double& ceiling : planes_.ceilings) {
-        if (std::abs(track.position.z() - ceiling) >= reach) continue;
-        problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<CeilingResidual, 1, 3, 1>(
-                                      new CeilingResidual{options_.plane_sigma}),
-                                  new ceres::CauchyLoss(1.0), track.position.data(), &ceiling);
-        break;
-      }
-    }
-  }
-
   [[nodiscard]] double RootMeanSquare() const {
     double sum = 0, count = 0;
     for (const Track& track : tracks_) {
@@ -232,11 +290,9 @@ class Bundle {
   }
 
   std::span<const PanoFeatures> features_;
-  std::span<const Gravity> gravity_;
   const BundleOptions& options_;
   std::vector<Rigid3>& world_from_cam_;
   std::vector<Track>& tracks_;
-  LevelPlanes& planes_;
   std::vector<CameraBlock> blocks_;
   std::vector<bool> is_used_;
   ceres::Problem problem_;
@@ -247,7 +303,19 @@ class Bundle {
 double AdjustBundle(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
                     const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
                     std::vector<Track>& tracks, LevelPlanes& planes) {
-  return Bundle(features, gravity, options, world_from_cam, tracks, planes).Solve();
+  Bundle bundle(features, options, world_from_cam, tracks);
+  bundle.AddCameraPriors(gravity);
+  bundle.AddPlanes(planes);
+  return bundle.Solve();
+}
+
+double AdjustGivenPoses(std::span<const PanoFeatures> features, std::span<const Rigid3> given,
+                        std::span<const Gravity> gravity, const GivenPoseSigmas& sigmas,
+                        const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
+                        std::vector<Track>& tracks) {
+  Bundle bundle(features, options, world_from_cam, tracks);
+  bundle.AddGivenPoses(given, gravity, sigmas);
+  return bundle.Solve();
 }
 
 }  // namespace enfilade

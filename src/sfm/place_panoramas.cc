@@ -5,103 +5,48 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "enfilade/base/check.h"
-#include "enfilade/image/codec.h"
-#include "enfilade/sfm/colmap_features.h"
-#include "enfilade/sfm/gravity.h"
 #include "src/sfm/component_heading.h"
 #include "src/sfm/door_heads.h"
 #include "src/sfm/odd_pictures.h"
 #include "src/sfm/picture_warnings.h"
-#include "src/sfm/pixel_of_ray.h"
-#include "src/sfm/seen_picture.h"
+#include "src/sfm/seen_pictures.h"
 
 namespace enfilade {
 namespace {
 
 using Eigen::Vector3d;
-using Rgb = Eigen::Matrix<uint8_t, 3, 1>;
 
-// What is kept of the pictures.
-struct Seen {
-  std::vector<PanoFeatures> features;
-  std::vector<std::vector<Rgb>> colours;  // of the features
-  std::vector<Gravity> gravity;
-  std::vector<std::vector<LineSegment>> segments;
-};
-
-std::vector<Rgb> ColoursOf(const PanoFeatures& features, const ImageU8& picture,
-                           const Camera& camera) {
-  std::vector<Rgb> colours;
-  for (const Eigen::Vector3f& ray : features.rays) {
-    const uint8_t* rgb = PixelOfRay(picture, camera, ray.cast<double>());
-    colours.emplace_back(rgb[0], rgb[1], rgb[2]);
-  }
-  return colours;
-}
-
-// What OpenCV sees of a panorama, from the file that a stopped run left where there is one.
-SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOptions& options,
-                          const std::filesystem::path& folder, const std::string& program) {
-  const ImageU8 trusted = TrustedPixels(view, stand);
-  const std::filesystem::path file = SeenPictureFile(folder, view);
-  const std::string key = SeenPictureKey(view, trusted, options, program);
-  if (std::optional<SeenPicture> known = LoadSeenPicture(file, key)) return std::move(*known);
-  const ImageU8 picture = ReadImageRgb(view.path);
-  SeenPicture seen;
-  seen.features = ExtractFeatures(picture, trusted, view.camera, options);
-  seen.colours = ColoursOf(seen.features, picture, view.camera);
-  seen.segments = FindLineSegments(picture, trusted, view.camera);
-  SaveSeenPicture(file, key, seen);
-  return seen;
-}
-
-// What is wanted besides features that COLMAP has found.
-SeenPicture LookAtPicture(const View& view, const Stand& stand, PanoFeatures features) {
-  const ImageU8 picture = ReadImageRgb(view.path);
-  SeenPicture seen;
-  seen.features = std::move(features);
-  seen.colours = ColoursOf(seen.features, picture, view.camera);
-  seen.segments = FindLineSegments(picture, TrustedPixels(view, stand), view.camera);
-  return seen;
-}
-
-Seen LookAtPictures(const Scene& scene, const PlaceOptions& options,
-                    const std::filesystem::path& work_folder, const std::string& program,
-                    RunContext& context) {
-  const size_t num_views = scene.views.size();
+// Follows the scene's pictures as the frames of a film and leaves the keyframes in the scene; one
+// keyframe a view.
+std::vector<Keyframe> KeepKeyframes(const PlaceOptions& options, RunContext& context,
+                                    Scene& scene) {
+  const std::vector<int> order = OrderByName(scene.views);
+  std::vector<View> frames;
+  for (const int view : order) frames.push_back(scene.views[static_cast<size_t>(view)]);
   const Stand stand = FindStandOfScene(scene, options.stand, context);
-  Seen seen{std::vector<PanoFeatures>(num_views), std::vector<std::vector<Rgb>>(num_views),
-            std::vector<Gravity>(num_views), std::vector<std::vector<LineSegment>>(num_views)};
-  const bool use_colmap = ChooseFeatureSource(options.features) == FeatureSource::kColmap;
-  if (use_colmap) {
-    seen.features = ExtractFeaturesWithColmap(scene.views, stand, options.features,
-                                              work_folder / "database.db", context);
+  std::map<int, Keyframe> of_view;
+  for (Keyframe& keyframe : FollowFrames(frames, stand, options.follow, context)) {
+    of_view[order[static_cast<size_t>(keyframe.frame_idx)]] = std::move(keyframe);
   }
-  ParallelFor(context, use_colmap ? "find lines" : "find features", static_cast<int64_t>(num_views),
-              [&](int64_t k) {
-                const size_t i = static_cast<size_t>(k);
-                const View& view = scene.views[i];
-                SeenPicture picture = use_colmap
-                                          ? LookAtPicture(view, stand, std::move(seen.features[i]))
-                                          : LookAtPicture(view, stand, options.features,
-                                                          work_folder / "features", program);
-                seen.features[i] = std::move(picture.features);
-                seen.colours[i] = std::move(picture.colours);
-                seen.segments[i] = std::move(picture.segments);
-                seen.gravity[i] = FindGravityOfPicture(seen.segments[i], view.told_up_in_cam);
-                seen.gravity[i].heading_rad =
-                    FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
-              });
-  return seen;
+  std::vector<View> kept;
+  std::vector<Keyframe> keyframes;
+  for (auto& [view, keyframe] : of_view) {
+    kept.push_back(scene.views[static_cast<size_t>(view)]);
+    keyframes.push_back(std::move(keyframe));
+  }
+  context.log().Info(fmt::format("{} of {} frames are keyframes", kept.size(), frames.size()));
+  scene.views = std::move(kept);
+  return keyframes;
 }
 
 // Turns and moves each component so that its walls run along x and y and its cameras' mean is the
 // origin. Returns world_from_component.
-std::vector<Rigid3> AlignComponents(const Seen& seen, const Registration& registration) {
+std::vector<Rigid3> AlignComponents(const SeenPictures& seen, const Registration& registration) {
   const int num_components =
       1 + *std::max_element(registration.component_idx.begin(), registration.component_idx.end());
   std::vector<Rigid3> world_from_component;
@@ -198,38 +143,30 @@ void SetPoses(const Registration& registration, std::span<const Rigid3> world_fr
   }
 }
 
-void SetPoints(const Seen& seen, const Registration& registration,
+void SetPoints(const SeenPictures& seen, const Registration& registration,
                std::span<const Rigid3> world_from_component, double camera_height_m, Scene& scene) {
   scene.points.clear();
   for (const Track& track : registration.tracks) {
-    const Observation& first = track.observations.front();
-    const int component = registration.component_idx[static_cast<size_t>(first.view_idx)];
-    ScenePoint point;
+    const int component =
+        registration.component_idx[static_cast<size_t>(track.observations.front().view_idx)];
+    ScenePoint point = PointOfTrack(track, seen, scene.views);
     point.position =
         camera_height_m * (world_from_component[static_cast<size_t>(component)] * track.position);
-    point.rgb =
-        seen.colours[static_cast<size_t>(first.view_idx)][static_cast<size_t>(first.feature_idx)];
-    for (const Observation& observation : track.observations) {
-      const size_t view = static_cast<size_t>(observation.view_idx);
-      const Eigen::Vector3f& ray =
-          seen.features[view].rays[static_cast<size_t>(observation.feature_idx)];
-      point.view_idx.push_back(observation.view_idx);
-      point.pixels.push_back(
-          scene.views[view].camera.PixelFromRay(ray.cast<double>())->cast<float>());
-    }
     scene.points.push_back(std::move(point));
   }
 }
 
 // Registers the panoramas, those that stand upside down beside the others turned over.
 Registration Register(const Scene& scene, const PlaceOptions& options, RunContext& context,
-                      Seen& seen, std::vector<std::string>& warnings) {
+                      std::span<const PairMatches> followed, SeenPictures& seen,
+                      std::vector<std::string>& warnings) {
   Registration registration =
-      RegisterFeatures(seen.features, seen.gravity, options.registration, context);
+      RegisterFeatures(seen.features, seen.gravity, options.registration, context, followed);
   const std::vector<OddTie> upside_down = TurnOverTheUpsideDown(
       seen.features, registration.component_idx, options.registration, context, seen.gravity);
   if (!upside_down.empty()) {
-    registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context);
+    registration =
+        RegisterFeatures(seen.features, seen.gravity, options.registration, context, followed);
   }
   WarnOfUpsideDown(scene.views, upside_down, warnings);
   WarnOfMirrored(scene.views,
@@ -240,7 +177,7 @@ Registration Register(const Scene& scene, const PlaceOptions& options, RunContex
   return registration;
 }
 
-std::optional<double> DoorHead(const Seen& seen, const ScaleOptions& options) {
+std::optional<double> DoorHead(const SeenPictures& seen, const ScaleOptions& options) {
   std::vector<std::vector<UprightEdge>> edges;
   for (size_t i = 0; i < seen.segments.size(); ++i) {
     edges.push_back(UprightEdges(seen.segments[i], LevelFromCam(seen.gravity[i])));
@@ -249,7 +186,7 @@ std::optional<double> DoorHead(const Seen& seen, const ScaleOptions& options) {
 }
 
 MetricScale FindScale(std::optional<double> given_height_m, std::span<const View> views,
-                      std::span<const KnownDistance> known, const Seen& seen,
+                      std::span<const KnownDistance> known, const SeenPictures& seen,
                       const Registration& registration, const ScaleOptions& options) {
   std::vector<Vector3d> positions;
   for (const Rigid3& pose : registration.world_from_cam) positions.push_back(pose.translation);
@@ -268,13 +205,18 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
   ENFILADE_CHECK(!scene.views.empty());
   const std::vector<KnownDistance> known =
       ParseKnownDistances(options.scale.known_distance, scene.views);
-  Seen seen =
-      LookAtPictures(scene, options, surroundings.work_folder, surroundings.program, context);
+  std::vector<Keyframe> keyframes;
+  if (options.is_ordered) keyframes = KeepKeyframes(options, context, scene);
+  SeenPictures seen = LookAtPictures(scene, keyframes, options.features, options.stand,
+                                     surroundings.work_folder, surroundings.program, context);
+  std::vector<PairMatches> followed;
+  if (options.is_ordered) followed = MatchesOfTracks(keyframes, seen.features);
   PlaceReport report;
   WarnOfToldVerticals(scene.views, seen.gravity, report.warnings);
+  for (const Keyframe& keyframe : keyframes) report.exposures.push_back(keyframe.exposure);
   for (const PanoFeatures& features : seen.features) report.num_features.push_back(features.size());
   Registration& registration = report.registration;
-  registration = Register(scene, options, context, seen, report.warnings);
+  registration = Register(scene, options, context, followed, seen, report.warnings);
   const std::optional<double> given_height_m = scene.camera_height_m;
   std::vector<Rigid3> world_from_component;
   const auto place = [&](std::span<const KnownDistance> distances) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/gravity.h"
@@ -13,36 +15,27 @@
 #include "enfilade/sfm/view_graph.h"
 #include "src/sfm/guided_matches.h"
 #include "src/sfm/level_rays.h"
+#include "src/sfm/match_pairs.h"
 
 namespace enfilade {
 namespace {
 
 using Eigen::Vector3d;
-using LevelRays = std::vector<std::vector<Vector3d>>;
 
-LevelRays TurnLevel(std::span<const PanoFeatures> features, std::span<const Gravity> gravity) {
-  LevelRays level;
-  for (size_t i = 0; i < features.size(); ++i) level.push_back(TurnLevel(features[i], gravity[i]));
-  return level;
-}
-
-std::vector<PanoPair> MatchPairs(std::span<const PanoFeatures> features,
-                                 std::span<const Gravity> gravity, const LevelRays& level,
-                                 const RegisterOptions& options, RunContext& context) {
-  const std::vector<ViewPair> selected =
-      SelectPairs(features, options.selection, options.match, context);
-  std::vector<PanoPair> pairs(selected.size());
-  ParallelFor(context, "match pairs", static_cast<int64_t>(pairs.size()), [&](int64_t k) {
-    PanoPair& pair = pairs[static_cast<size_t>(k)];
-    const auto [a_idx, b_idx] = selected[static_cast<size_t>(k)];
-    const size_t a = static_cast<size_t>(a_idx), b = static_cast<size_t>(b_idx);
-    const std::vector<FeatureMatch> matches =
-        MatchDescriptors(features[a].descriptors, features[b].descriptors, options.match);
-    pair = EstimatePair(level[a], level[b], matches, options.two_view,
-                        HeadingDifference(gravity[a], gravity[b]));
-    pair.a_idx = a_idx;
-    pair.b_idx = b_idx;
-  });
+// The pairs to match, with what is known of them beside the pictures' descriptors.
+std::vector<PairToMatch> ListPairs(std::span<const ViewPair> selected,
+                                   std::span<const Gravity> gravity,
+                                   std::span<const PairMatches> followed) {
+  std::map<ViewPair, std::vector<FeatureMatch>> matches;
+  for (const ViewPair& pair : selected) matches[pair];
+  for (const PairMatches& pair : followed) matches[{pair.a_idx, pair.b_idx}] = pair.matches;
+  std::vector<PairToMatch> pairs;
+  for (auto& [pair, known] : matches) {
+    pairs.push_back({pair.a_idx, pair.b_idx,
+                     HeadingDifference(gravity[static_cast<size_t>(pair.a_idx)],
+                                       gravity[static_cast<size_t>(pair.b_idx)]),
+                     std::move(known)});
+  }
   return pairs;
 }
 
@@ -118,14 +111,6 @@ std::vector<double> FindCeilings(std::span<const Track> tracks) {
   return ceilings;
 }
 
-std::vector<Track> Triangulate(std::vector<Track> tracks, std::span<const Rigid3> poses,
-                               std::span<const PanoFeatures> features, double max_error_deg) {
-  const TriangulationBounds bounds{.max_error_rad = DegToRad(max_error_deg)};
-  std::erase_if(tracks,
-                [&](Track& track) { return !TriangulateTrack(poses, features, bounds, track); });
-  return tracks;
-}
-
 // The tracks of one component.
 std::vector<Track> TracksOf(int component, std::span<const int> component_idx,
                             std::span<const Track> tracks) {
@@ -161,7 +146,8 @@ void RefineRegistration(std::span<const PanoFeatures> features, std::span<const 
     double error_rad = 0;
     for (const double max_error_deg : kMaxErrors_deg) {
       context.CheckStop();
-      tracks = Triangulate(own, registration.world_from_cam, features, max_error_deg);
+      const TriangulationBounds bounds{.max_error_rad = DegToRad(max_error_deg)};
+      tracks = TriangulateTracks(registration.world_from_cam, features, bounds, own);
       planes.ceilings = FindCeilings(tracks);
       error_rad = AdjustBundle(features, gravity, options.bundle, registration.world_from_cam,
                                tracks, planes);
@@ -175,12 +161,15 @@ void RefineRegistration(std::span<const PanoFeatures> features, std::span<const 
 
 Registration RegisterFeatures(std::span<const PanoFeatures> features,
                               std::span<const Gravity> gravity, const RegisterOptions& options,
-                              RunContext& context) {
+                              RunContext& context, std::span<const PairMatches> followed) {
   const int num_views = static_cast<int>(features.size());
   if (num_views == 0) return {};
   const LevelRays level = TurnLevel(features, gravity);
   Registration registration;
-  registration.pairs = MatchPairs(features, gravity, level, options, context);
+  const std::vector<ViewPair> selected =
+      SelectPairs(features, options.selection, options.match, context);
+  registration.pairs = MatchPairs(ListPairs(selected, gravity, followed), features, level, options.match,
+                                  options.two_view, context);
   const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
   FindLengths(level, registration.pairs);
   const std::vector<Eigen::Vector2d> positions = SolvePositions(yaws, registration.pairs);

@@ -141,4 +141,13 @@ bool TriangulateTrack(std::span<const Rigid3> world_from_cam,
   return true;
 }
 
+std::vector<Track> TriangulateTracks(std::span<const Rigid3> world_from_cam,
+                                     std::span<const PanoFeatures> features,
+                                     const TriangulationBounds& bounds, std::vector<Track> tracks) {
+  std::erase_if(tracks, [&](Track& track) {
+    return !TriangulateTrack(world_from_cam, features, bounds, track);
+  });
+  return tracks;
+}
+
 }  // namespace enfilade

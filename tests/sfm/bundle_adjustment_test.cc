@@ -225,5 +225,30 @@ TEST(AdjustBundle, TheSameBytesTwice) {
   }
 }
 
+TEST(AdjustGivenPoses, BringsDisturbedPosesBackInTheFrameOfThoseGiven) {
+  for (uint32_t seed = 1; seed <= 3; ++seed) {
+    MadeBundle bundle;
+    bundle.Disturb(0.03, DegToRad(0.5), seed);
+    const std::vector<Rigid3> given = bundle.poses;
+    EXPECT_LT(AdjustGivenPoses(bundle.scene.features, given, bundle.scene.gravity,
+                               {0.05, DegToRad(0.5)}, {}, bundle.poses, bundle.tracks),
+              1e-3);
+    Vector3d before = Vector3d::Zero(), after = Vector3d::Zero();
+    double scatter_before = 0, scatter_after = 0;
+    for (size_t i = 0; i < given.size(); ++i) {
+      before += given[i].translation / static_cast<double>(given.size());
+      after += bundle.poses[i].translation / static_cast<double>(given.size());
+    }
+    const std::vector<Rigid3>& truth = bundle.scene.world_from_cam;
+    for (size_t i = 1; i < given.size(); ++i) {
+      const Vector3d apart = truth[i].translation - truth[0].translation;
+      scatter_before += (given[i].translation - given[0].translation - apart).norm();
+      scatter_after += (bundle.poses[i].translation - bundle.poses[0].translation - apart).norm();
+    }
+    EXPECT_LT((after - before).norm(), 0.005) << "seed " << seed;
+    EXPECT_LT(scatter_after, 0.5 * scatter_before) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace enfilade

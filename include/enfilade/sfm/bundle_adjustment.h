@@ -50,4 +50,20 @@ double AdjustBundle(std::span<const PanoFeatures> features, std::span<const Grav
                     const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
                     std::vector<Track>& tracks, LevelPlanes& planes);
 
+/// Expected errors of given poses, on each axis.
+struct GivenPoseSigmas {
+  double position_m = 0.05;
+  double rotation_rad = 0.01;
+};
+
+/// As AdjustBundle, in metres, with other priors: every camera is drawn to its `given` pose
+/// (Cauchy's loss, so that one that is far off has little say), and its vertical to the z axis, or
+/// to the direction that most verticals have in the given world where that is another by more than
+/// the rotations' errors explain. Nothing else holds the frame, which so stays that of the given
+/// poses. Of the options only the rays' error and the iterations count.
+double AdjustGivenPoses(std::span<const PanoFeatures> features, std::span<const Rigid3> given,
+                        std::span<const Gravity> gravity, const GivenPoseSigmas& sigmas,
+                        const BundleOptions& options, std::vector<Rigid3>& world_from_cam,
+                        std::vector<Track>& tracks);
+
 }  // namespace enfilade

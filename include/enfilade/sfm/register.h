@@ -56,9 +56,13 @@ struct Registration {
 /// sphere (EstimatePair), rotations (AverageYaws), lengths from floor, ceiling and shared features,
 /// positions, points, and rounds of bundle adjustment with ever stricter bounds, in which points
 /// are found anew each time. Views that nothing ties to others are components of their own.
+///
+/// `followed` are matches that a film's tracks tell, beside those of the descriptors: one list for
+/// some of the pairs.
 [[nodiscard]] Registration RegisterFeatures(std::span<const PanoFeatures> features,
                                             std::span<const Gravity> gravity,
-                                            const RegisterOptions& options, RunContext& context);
+                                            const RegisterOptions& options, RunContext& context,
+                                            std::span<const PairMatches> followed = {});
 
 /// Points and rounds of bundle adjustment from the poses and pairs that a registration has; what
 /// RegisterFeatures ends with. Replaces poses, tracks, ceilings and ray_error_rad.

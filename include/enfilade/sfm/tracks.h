@@ -44,4 +44,10 @@ struct TriangulationBounds {
                                     std::span<const PanoFeatures> features,
                                     const TriangulationBounds& bounds, Track& track);
 
+/// The tracks that TriangulateTrack accepts, with their points.
+[[nodiscard]] std::vector<Track> TriangulateTracks(std::span<const Rigid3> world_from_cam,
+                                                   std::span<const PanoFeatures> features,
+                                                   const TriangulationBounds& bounds,
+                                                   std::vector<Track> tracks);
+
 }  // namespace enfilade

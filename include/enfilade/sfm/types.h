@@ -16,12 +16,19 @@
 namespace enfilade {
 
 /// The point features of one panorama, pooled over its virtual views; no feature is held twice.
+/// The first m ≤ n have descriptors; the others were followed through a film.
 struct PanoFeatures {
   std::vector<Eigen::Vector3f> rays;  ///< n unit rays in the camera frame
-  std::vector<float> sizes_rad;       ///< n diameters, largest first
-  DescriptorSet descriptors;          ///< n × 128
+  std::vector<float> sizes_rad;       ///< m diameters, largest first
+  DescriptorSet descriptors;          ///< m × 128
 
   [[nodiscard]] int size() const { return static_cast<int>(rays.size()); }
+};
+
+/// Features of two panoramas that show the same.
+struct PairMatches {
+  int a_idx = 0, b_idx = 0;  ///< views, a_idx < b_idx
+  std::vector<FeatureMatch> matches;
 };
 
 /// How a panorama's lines say that it stands.
