@@ -48,6 +48,12 @@ void OptionArguments::RegisterAlias(CLI::App& parser, const std::string& flag,
       ->type_name("VALUE");
 }
 
+void OptionArguments::RegisterFlag(CLI::App& parser, const std::string& flag,
+                                   const std::string& path, const std::string& help) {
+  parser.add_flag_callback(
+      flag, [this, path] { settings_.emplace_back(path, "true"); }, help);
+}
+
 std::string OptionArguments::FirstOutside(const std::string& group) const {
   for (const auto& [path, value] : settings_) {
     if (group.empty() || !path.starts_with(group + ".")) return std::string("--").append(path);

@@ -38,6 +38,9 @@ class OptionArguments {
   /// Registers another name for one option: --camera-height for --sfm.camera_height_m.
   void RegisterAlias(CLI::App& parser, const std::string& flag, const std::string& path,
                      const std::string& help);
+  /// Registers a flag without value that sets an option to true: --ordered for --sfm.ordered true.
+  void RegisterFlag(CLI::App& parser, const std::string& flag, const std::string& path,
+                    const std::string& help);
 
   [[nodiscard]] bool has_config_file() const { return !config_file_.empty(); }
   /// The first option of the command line outside `group` (of all when empty): "--GROUP.NAME";

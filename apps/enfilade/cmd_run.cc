@@ -35,6 +35,8 @@ Action SetupFromPictures(CLI::App& parser, const std::string& last_stage,
                                    "Height of the cameras above the floor, metres");
   arguments->options.RegisterAlias(parser, "--known-distance", "sfm.scale.known_distance",
                                    "Distance between two cameras: PICTURE,PICTURE,METRES");
+  arguments->options.RegisterFlag(parser, "--ordered", "sfm.ordered",
+                                  "Pictures without poses are the frames of a film, by name");
   arguments->options.RegisterAlias(parser, "--mask", "sfm.mask",
                                    "Picture (or folder of them) that is 0 where to ignore");
   return [arguments, last_stage] {

@@ -330,7 +330,8 @@ SceneReadReport ReadPicturesAlone(const fs::path& folder, const PictureFiles& fi
   if (paths.empty()) {
     throw InvalidInputError(folder.native(),
                             files.all().empty() ? "has no pictures" : "has no whole panoramas",
-                            "give equirectangular panoramas (.jpg, .png), twice as wide as high");
+                            "give equirectangular panoramas (.jpg, .png), twice as wide as high; "
+                            "photographs and films of one lens need a pose file");
   }
   report.scene.pose_source = PoseSource::kEstimated;
   report.scene.scale_source = ScaleSource::kAssumed;

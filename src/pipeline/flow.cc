@@ -3,10 +3,12 @@
 #include "src/pipeline/flow.h"
 
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "enfilade/base/json.h"
 #include "enfilade/exchange/colmap_writer.h"
 #include "enfilade/exchange/connection_report.h"
 #include "enfilade/exchange/floorplan_json.h"
@@ -22,6 +24,7 @@
 #include "enfilade/pipeline/evidence_file.h"
 #include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
+#include "enfilade/sfm/given_poses.h"
 #include "enfilade/structure/analyze.h"
 #include "src/pipeline/gather_evidence.h"
 #include "src/pipeline/scene_hash.h"
@@ -60,6 +63,53 @@ std::vector<RoomOutline> FindOutlines(const Scene& scene, RunContext& context) {
   return outlines;
 }
 
+// How bright each view of a film is, for whoever blends or compares their pictures.
+void WriteExposures(const std::filesystem::path& path, const Scene& scene,
+                    std::span<const double> exposures) {
+  Json views = Json::array();
+  for (size_t i = 0; i < exposures.size(); ++i) {
+    const View& view = scene.views[i];
+    views.push_back(
+        {{"picture", view.picture}, {"sha256", view.sha256}, {"exposure", exposures[i]}});
+  }
+  WriteJsonFile(path,
+                {{"format", "enfilade-exposure"}, {"version", 1}, {"views", std::move(views)}});
+}
+
+// Finds poses, or points and better ones for those that are given, as the options ask.
+void PlaceViews(const Workspace& workspace, const PlaceOptions& options, RunContext& context,
+                Scene& scene) {
+  if (scene.pose_source == PoseSource::kEstimated) {
+    const PlaceReport report = PlacePanoramas(
+        options, {workspace.sfm_folder(), ProgramVersion(), FindOutlines}, context, scene);
+    WriteConnectionReport(workspace.connections_folder(), scene,
+                          {.pairs = report.registration.pairs,
+                           .num_features = report.num_features,
+                           .warnings = report.warnings});
+    if (!report.exposures.empty())
+      WriteExposures(workspace.exposure_file(), scene, report.exposures);
+  } else {
+    const GivenPoseReport report =
+        FindPointsOfPoses(options, workspace.sfm_folder(), ProgramVersion(), context, scene);
+    WriteConnectionReport(
+        workspace.connections_folder(), scene,
+        {.pairs = report.pairs, .num_features = report.num_features, .warnings = report.warnings});
+  }
+}
+
+// The scene of an earlier run, with where pictures and masks lie now.
+Scene ReadStandingScene(const Workspace& workspace, const Scene& read) {
+  std::map<std::string, const View*> of_hash;
+  for (const View& view : read.views) of_hash[view.sha256] = &view;
+  Scene scene = ReadSceneJson(workspace.scene_file());
+  for (View& view : scene.views) {
+    const View& now = *of_hash.at(view.sha256);
+    view.path = now.path;
+    view.mask_path = now.mask_path;
+  }
+  return scene;
+}
+
 // Poses cost minutes, but where pictures and masks lie is no part of their key: a scene that stands
 // is written again with the paths of now.
 StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmOptions& options,
@@ -69,22 +119,15 @@ StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmO
       !options.placing.scale.known_distance.empty()) {
     context.log().Warning("--known-distance is not used: the poses are given, with their scale");
   }
-  if (scene.pose_source == PoseSource::kEstimated) {
-    if (std::filesystem::exists(workspace.scene_file())) {
-      scene = ReadSceneJson(workspace.scene_file());
-      for (size_t i = 0; i < scene.views.size(); ++i) {
-        scene.views[i].path = read.views[i].path;
-        scene.views[i].mask_path = read.views[i].mask_path;
-      }
-    } else {
-      const PlaceReport report =
-          PlacePanoramas(options.placing, {workspace.sfm_folder(), ProgramVersion(), FindOutlines},
-                         context, scene);
-      WriteConnectionReport(workspace.connections_folder(), scene,
-                            {.pairs = report.registration.pairs,
-                             .num_features = report.num_features,
-                             .warnings = report.warnings});
-    }
+  if (options.placing.is_ordered && scene.pose_source != PoseSource::kEstimated) {
+    context.log().Warning("poses are given, so that the order of the pictures is not used");
+  }
+  const bool is_costly = scene.pose_source == PoseSource::kEstimated ||
+                         IsWorkOnGivenPoses(options.placing.given, scene);
+  if (is_costly && std::filesystem::exists(workspace.scene_file())) {
+    scene = ReadStandingScene(workspace, read);
+  } else if (is_costly) {
+    PlaceViews(workspace, options.placing, context, scene);
   }
   WriteForOthers(workspace, scene);
   WriteSceneJson(workspace.scene_file(), scene);
@@ -166,7 +209,7 @@ std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
   };
   return {
       {"sfm",
-       {"scene.json", "sparse", "points.ply", "connections"},
+       {"scene.json", "sparse", "points.ply", "connections", "exposure.json"},
        VisitorOf(options.sfm),
        scene != nullptr ? SceneHash(*scene) : "",
        store_scene,

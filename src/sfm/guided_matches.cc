@@ -118,6 +118,10 @@ void MatchGuided(std::span<const PanoFeatures> features, const RegisterOptions& 
     }
     std::vector<FeatureMatch> agreeing =
         AgreeingMatches(placed, matches, DegToRad(options.guided_deg));
+    // What a film's tracks tell has no descriptor to be matched again.
+    for (const FeatureMatch& match : pair.inliers) {
+      if (match.a_idx >= features[a].descriptors.size()) agreeing.push_back(match);
+    }
     if (agreeing.size() <= pair.inliers.size()) return;
     pair.inliers = std::move(agreeing);
     pair.verdict = PairVerdict::kAccepted;

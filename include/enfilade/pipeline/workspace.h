@@ -20,6 +20,8 @@ class Workspace {
   [[nodiscard]] std::filesystem::path sfm_folder() const { return root_ / "sfm"; }
   /// Which pictures see each other.
   [[nodiscard]] std::filesystem::path connections_folder() const { return root_ / "connections"; }
+  /// How bright each view of a film is.
+  [[nodiscard]] std::filesystem::path exposure_file() const { return root_ / "exposure.json"; }
   /// Poses and points for other programs.
   [[nodiscard]] std::filesystem::path sparse_folder() const { return root_ / "sparse"; }
   [[nodiscard]] std::filesystem::path points_file() const { return root_ / "points.ply"; }
