@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/sfm/gravity.h"
 #include "src/sfm/median.h"
 
 namespace enfilade {
@@ -21,6 +22,8 @@ using Eigen::Vector3d;
 // Points this many standard deviations from a level plane may belong to it.
 constexpr double kPlaneReach = 5;
 constexpr double kFixedSigma = 1e-5;
+// Walls within this of the common heading are drawn to it: others may stand aslant.
+constexpr double kSameHeading_rad = DegToRad(1.5);
 
 // A camera while it is refined: rotation vector of world_from_cam, position.
 using CameraBlock = std::array<double, 6>;
@@ -80,6 +83,21 @@ struct VerticalResidual {
   }
 };
 
+// How far the walls as one camera sees them run from the common heading.
+struct WallsResidual {
+  Vector3d along_in_cam;
+  double sigma_rad;
+  template <typename T>
+  bool operator()(const T* camera, const T* heading_rad, T* residual) const {
+    const T along[3] = {T(along_in_cam.x()), T(along_in_cam.y()), T(along_in_cam.z())};
+    T in_world[3];
+    ceres::AngleAxisRotatePoint(camera, along, in_world);
+    residual[0] =
+        (cos(heading_rad[0]) * in_world[1] - sin(heading_rad[0]) * in_world[0]) / sigma_rad;
+    return true;
+  }
+};
+
 struct HeightResidual {
   double sigma;
   template <typename T>
@@ -122,6 +140,26 @@ struct CeilingResidual {
     return true;
   }
 };
+
+// Azimuth modulo 90°, in [−45°, 45°).
+double QuarterOf(double azimuth_rad) {
+  return azimuth_rad - kPi / 2 * std::floor(azimuth_rad / (kPi / 2) + 0.5);
+}
+
+// Of headings modulo 90° the one near which most others are.
+double CommonHeading(std::span<const double> headings_rad) {
+  double best = 0;
+  long most = -1;
+  for (const double heading : headings_rad) {
+    const auto count = std::count_if(headings_rad.begin(), headings_rad.end(), [&](double other) {
+      return std::abs(QuarterOf(other - heading)) < kSameHeading_rad;
+    });
+    if (count <= most) continue;
+    most = count;
+    best = heading;
+  }
+  return best;
+}
 
 // How far a camera is from where it was given.
 struct GivenPoseResidual {
@@ -199,6 +237,34 @@ class Bundle {
       problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<AnchorResidual, 3, 6>(
                                     new AnchorResidual{blocks_[i], forward, left}),
                                 nullptr, blocks_[i].data());
+    }
+  }
+
+  void AddWalls(std::span<const Gravity> gravity) {
+    std::vector<size_t> views;
+    std::vector<Vector3d> along_in_cam;
+    std::vector<double> headings_rad;
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (!is_used_[i] || !gravity[i].heading_rad) continue;
+      const double azimuth = *gravity[i].heading_rad;
+      const Vector3d along =
+          LevelFromCam(gravity[i]).transpose() * Vector3d(std::cos(azimuth), std::sin(azimuth), 0);
+      const Vector3d in_world = world_from_cam_[i].rotation * along;
+      views.push_back(i);
+      along_in_cam.push_back(along);
+      headings_rad.push_back(std::atan2(in_world.y(), in_world.x()));
+    }
+    heading_rad_ = CommonHeading(headings_rad);
+    for (size_t k = 0; k < views.size(); ++k) {
+      if (std::abs(QuarterOf(headings_rad[k] - heading_rad_)) > kSameHeading_rad) continue;
+      // Of the walls' four directions the one along the heading itself.
+      const double quarters = std::round((headings_rad[k] - heading_rad_) / (kPi / 2));
+      const Vector3d up = gravity[views[k]].up_in_cam;
+      const Vector3d turned = Eigen::AngleAxisd(-quarters * kPi / 2, up) * along_in_cam[k];
+      problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<WallsResidual, 1, 6, 1>(
+                                    new WallsResidual{turned, DegToRad(options_.wall_sigma_deg)}),
+                                new ceres::CauchyLoss(1.0), blocks_[views[k]].data(),
+                                &heading_rad_);
     }
   }
 
@@ -295,6 +361,7 @@ class Bundle {
   std::vector<Track>& tracks_;
   std::vector<CameraBlock> blocks_;
   std::vector<bool> is_used_;
+  double heading_rad_ = 0;
   ceres::Problem problem_;
 };
 
@@ -305,6 +372,7 @@ double AdjustBundle(std::span<const PanoFeatures> features, std::span<const Grav
                     std::vector<Track>& tracks, LevelPlanes& planes) {
   Bundle bundle(features, options, world_from_cam, tracks);
   bundle.AddCameraPriors(gravity);
+  bundle.AddWalls(gravity);
   bundle.AddPlanes(planes);
   return bundle.Solve();
 }

@@ -62,7 +62,9 @@ void CheckSizes(std::span<const View> frames) {
 Keyframe MakeKeyframe(int frame_idx, const TrackedFrame& tracked, const View& frame,
                       const Stand& stand) {
   const ImageU8 trusted = TrustedPixels(frame, stand);
-  Keyframe keyframe{.frame_idx = frame_idx, .exposure = tracked.exposure};
+  Keyframe keyframe;
+  keyframe.frame_idx = frame_idx;
+  keyframe.exposure = tracked.exposure;
   for (const TrackPoint& point : tracked.points) {
     const Eigen::Vector3d ray = frame.camera.RayFromPixel(point.position_px);
     if (*PixelOfRay(trusted, frame.camera, ray) == 0) continue;

@@ -128,11 +128,9 @@ double NumRays(std::span<const Track> tracks) {
   return count;
 }
 
-}  // namespace
-
-void RefineRegistration(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
-                        const RegisterOptions& options, RunContext& context,
-                        Registration& registration) {
+void AdjustComponents(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                      const RegisterOptions& options, RunContext& context,
+                      Registration& registration) {
   constexpr std::array<double, 4> kMaxErrors_deg = {2.0, 1.0, 0.5, 0.3};
   const std::vector<Track> chains = BuildTracks(registration.pairs, features);
   const int num_components =
@@ -159,6 +157,17 @@ void RefineRegistration(std::span<const PanoFeatures> features, std::span<const 
   registration.ray_error_rad = std::sqrt(sum_squares / std::max(1.0, NumRays(registration.tracks)));
 }
 
+}  // namespace
+
+void RefineRegistration(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                        const RegisterOptions& options, RunContext& context,
+                        Registration& registration) {
+  AdjustComponents(features, gravity, options, context, registration);
+  if (!options.use_guided) return;
+  MatchGuided(features, options, context, registration);
+  AdjustComponents(features, gravity, options, context, registration);
+}
+
 Registration RegisterFeatures(std::span<const PanoFeatures> features,
                               std::span<const Gravity> gravity, const RegisterOptions& options,
                               RunContext& context, std::span<const PairMatches> followed) {
@@ -168,8 +177,8 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
   Registration registration;
   const std::vector<ViewPair> selected =
       SelectPairs(features, options.selection, options.match, context);
-  registration.pairs = MatchPairs(ListPairs(selected, gravity, followed), features, level, options.match,
-                                  options.two_view, context);
+  registration.pairs = MatchPairs(ListPairs(selected, gravity, followed), features, level,
+                                  options.match, options.two_view, context);
   const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
   FindLengths(level, registration.pairs);
   const std::vector<Eigen::Vector2d> positions = SolvePositions(yaws, registration.pairs);
@@ -179,10 +188,6 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
         {RotationZ(yaws[i]) * LevelFromCam(gravity[i]), {positions[i].x(), positions[i].y(), 1}});
   }
   RefineRegistration(features, gravity, options, context, registration);
-  if (options.use_guided) {
-    MatchGuided(features, options, context, registration);
-    RefineRegistration(features, gravity, options, context, registration);
-  }
   return registration;
 }
 

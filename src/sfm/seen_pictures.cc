@@ -80,10 +80,10 @@ SeenPictures LookAtPictures(const Scene& scene, std::span<const Keyframe> keyfra
                 const size_t i = static_cast<size_t>(k);
                 const View& view = scene.views[i];
                 if (view.camera.model != CameraModel::kEquirectangular) return;
-                SeenPicture picture = use_colmap
-                                          ? LookAtPicture(view, stand, std::move(seen.features[i]))
-                                          : LookAtPicture(view, stand, features,
-                                                          work_folder / "features", program);
+                SeenPicture picture =
+                    use_colmap
+                        ? LookAtPicture(view, stand, std::move(seen.features[i]))
+                        : LookAtPicture(view, stand, features, work_folder / "features", program);
                 if (!keyframes.empty()) AddFollowed(view, keyframes[i].rays, picture);
                 seen.features[i] = std::move(picture.features);
                 seen.colours[i] = std::move(picture.colours);

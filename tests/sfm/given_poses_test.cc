@@ -64,7 +64,7 @@ class GivenPosesTest : public testing::Test {
     PlaceOptions options;
     options.features.source = FeatureSource::kOpenCv;
     options.given = given;
-    return FindPointsOfPoses(options, temp.path() / "sfm", context, scene);
+    return FindPointsOfPoses(options, temp.path() / "sfm", "test", context, scene);
   }
 
   // Root mean square distance from the true positions, in the file's frame.

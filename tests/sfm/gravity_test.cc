@@ -233,7 +233,8 @@ TEST(LevelFromCam, TurnsUpToZAndTheCentreToY) {
   for (const double tilt_deg : {0.0, 2.0, 10.0}) {
     for (int axis = 0; axis < 8; ++axis) {
       const double tilt_rad = DegToRad(tilt_deg);
-      const Gravity gravity{CamFromLevel(tilt_rad, axis * kPi / 4).col(2)};
+      Gravity gravity;
+      gravity.up_in_cam = CamFromLevel(tilt_rad, axis * kPi / 4).col(2);
       const Matrix3d level_from_cam = LevelFromCam(gravity);
       EXPECT_LT((level_from_cam.transpose() * level_from_cam - Matrix3d::Identity()).norm(), 1e-12);
       EXPECT_NEAR(level_from_cam.determinant(), 1, 1e-12);

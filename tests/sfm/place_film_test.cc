@@ -58,7 +58,8 @@ TEST_F(PlaceFilmTest, PlacesKeyframesAndTellsTheirExposure) {
   options.is_ordered = true;
   options.follow.keyframes.min_parallax_deg = 2;
   options.features.source = FeatureSource::kOpenCv;
-  const PlaceReport report = PlacePanoramas(options, temp.path() / "sfm", context, scene);
+  const PlaceReport report =
+      PlacePanoramas(options, {temp.path() / "sfm", "test", {}}, context, scene);
   ASSERT_GE(scene.views.size(), 3U);
   ASSERT_LT(scene.views.size(), static_cast<size_t>(kNumFrames));
   ASSERT_EQ(report.exposures.size(), scene.views.size());

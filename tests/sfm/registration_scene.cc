@@ -171,7 +171,9 @@ RegistrationScene MakeRegistrationScene(const MadeSceneOptions& options,
     scene.point_of_feature.push_back(std::move(point_of_feature));
     const Vector3d up = pose.rotation.transpose() * Vector3d::UnitZ();
     scene.gravity.push_back({Jittered(up, options.gravity_noise_rad, dice),
-                             std::max(DegToRad(0.1), options.gravity_noise_rad), 20});
+                             std::max(DegToRad(0.1), options.gravity_noise_rad),
+                             20,
+                             {}});
   }
   return scene;
 }

@@ -17,6 +17,7 @@ struct BundleOptions {
   double ray_sigma_deg = 0.06;
   double camera_height_sigma = 0.01;
   double plane_sigma = 0.01;
+  double wall_sigma_deg = 0.3;
   int max_iterations = 50;
 
   void Visit(OptionVisitor& v) {
@@ -27,6 +28,8 @@ struct BundleOptions {
     v("plane_sigma", plane_sigma,
       "Expected scatter of points on floor and ceiling, as a share of the cameras' height.",
       {0.0001, 1.0});
+    v("wall_sigma_deg", wall_sigma_deg,
+      "Expected error of the walls' direction that one panorama tells.", {0.01, 90.0});
     v("max_iterations", max_iterations, "Bound on the solver's iterations.", {1.0, 1000.0});
   }
 };
@@ -40,8 +43,9 @@ struct LevelPlanes {
 /// Refines cameras and points together: minimises the angles between observed rays and the
 /// directions to the points (Cauchy's loss), with priors on the verticals (`gravity`, one a view),
 /// on the cameras' height above the floor (1, with Cauchy's loss: homes are photographed from a
-/// tripod) and on points that lie within a few standard deviations of the floor or of a ceiling.
-/// Units are camera heights. The first view that has observations keeps its place and yaw.
+/// tripod), on the walls' direction in each panorama (one heading modulo 90° for all that are
+/// within 1.5° of it) and on points that lie within a few standard deviations of the floor or of a
+/// ceiling. Units are camera heights. The first view that has observations keeps its place and yaw.
 ///
 /// Positions and rotations of views without observations stay as they are. Runs in one thread in a
 /// fixed order, so that the same input gives the same bytes. Returns the root mean square error of

@@ -84,7 +84,7 @@ struct PlaceReport {
   Registration registration;      ///< in camera heights
   std::vector<int> num_features;  ///< one a view
   MetricScale scale;
-  std::vector<ComponentJoin> joins;   ///< components by their numbers before they were joined
+  std::vector<ComponentJoin> joins;  ///< components by their numbers before they were joined
   /// Of ordered pictures: brightness of each view over that of the first frame; else empty.
   std::vector<double> exposures;
   std::vector<std::string> warnings;  ///< whole sentences, also written to the log

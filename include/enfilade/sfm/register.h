@@ -64,8 +64,9 @@ struct Registration {
                                             const RegisterOptions& options, RunContext& context,
                                             std::span<const PairMatches> followed = {});
 
-/// Points and rounds of bundle adjustment from the poses and pairs that a registration has; what
-/// RegisterFeatures ends with. Replaces poses, tracks, ceilings and ray_error_rad.
+/// Points and rounds of bundle adjustment from the poses and pairs that a registration has, then
+/// matching once more with these poses, and both again; what RegisterFeatures ends with. Replaces
+/// poses, tracks, ceilings and ray_error_rad, adds matches to pairs.
 void RefineRegistration(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
                         const RegisterOptions& options, RunContext& context,
                         Registration& registration);
