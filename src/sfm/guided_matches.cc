@@ -9,6 +9,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/tracks.h"
+#include "src/sfm/level_rays.h"
 
 namespace enfilade {
 namespace {
@@ -86,8 +87,8 @@ void KeepSeenThrice(std::span<const PanoFeatures> features, std::span<const Pano
 
 }  // namespace
 
-void MatchGuided(std::span<const PanoFeatures> features, const RegisterOptions& options,
-                 RunContext& context, Registration& registration) {
+void MatchGuided(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                 const RegisterOptions& options, RunContext& context, Registration& registration) {
   std::vector<PanoPair> wider = registration.pairs;
   std::vector<PanoPair*> pairs;
   for (PanoPair& pair : wider) {
@@ -126,7 +127,15 @@ void MatchGuided(std::span<const PanoFeatures> features, const RegisterOptions& 
     pair.inliers = std::move(agreeing);
     pair.verdict = PairVerdict::kAccepted;
   });
+  const std::vector<PanoPair> before = registration.pairs;
   KeepSeenThrice(features, wider, registration.pairs);
+  for (size_t k = 0; k < before.size(); ++k) {
+    PanoPair& pair = registration.pairs[k];
+    const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
+    if (pair.verdict == before[k].verdict) continue;
+    SetGeometry(registration.world_from_cam[a], registration.world_from_cam[b], gravity[a],
+                gravity[b], pair);
+  }
 }
 
 }  // namespace enfilade

@@ -17,7 +17,7 @@ namespace enfilade {
 /// matches, so that at most a fifth is false. Pairs that were not accepted are accepted then.
 ///
 /// Pairs are taken up to `guided_reach` camera heights apart. Cost: as the first matching of them.
-void MatchGuided(std::span<const PanoFeatures> features, const RegisterOptions& options,
-                 RunContext& context, Registration& registration);
+void MatchGuided(std::span<const PanoFeatures> features, std::span<const Gravity> gravity,
+                 const RegisterOptions& options, RunContext& context, Registration& registration);
 
 }  // namespace enfilade

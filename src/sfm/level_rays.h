@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "enfilade/geometry/rigid3.h"
 #include "enfilade/sfm/gravity.h"
 #include "enfilade/sfm/types.h"
 
@@ -26,6 +27,14 @@ namespace enfilade {
 [[nodiscard]] inline std::optional<double> HeadingDifference(const Gravity& a, const Gravity& b) {
   if (!a.heading_rad || !b.heading_rad) return std::nullopt;
   return *a.heading_rad - *b.heading_rad;
+}
+
+/// How two panoramas stand to each other by their poses, in their level frames.
+inline void SetGeometry(const Rigid3& pose_a, const Rigid3& pose_b, const Gravity& gravity_a,
+                        const Gravity& gravity_b, PanoPair& pair) {
+  const Eigen::Matrix3d a_from_world = LevelFromCam(gravity_a) * pose_a.rotation.transpose();
+  pair.a_from_b = a_from_world * pose_b.rotation * LevelFromCam(gravity_b).transpose();
+  pair.direction = (a_from_world * (pose_b.translation - pose_a.translation)).normalized();
 }
 
 }  // namespace enfilade

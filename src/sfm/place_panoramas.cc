@@ -12,6 +12,7 @@
 #include "enfilade/base/check.h"
 #include "src/sfm/component_heading.h"
 #include "src/sfm/door_heads.h"
+#include "src/sfm/level_rays.h"
 #include "src/sfm/odd_pictures.h"
 #include "src/sfm/picture_warnings.h"
 #include "src/sfm/seen_pictures.h"
@@ -92,7 +93,9 @@ void Renumber(std::vector<int>& component_idx) {
 // Makes one component of each two that a join ties, and pairs of what is seen through its door.
 // Joins are in metres, between components as `world_from_component` places them.
 void ApplyJoins(std::span<const ComponentJoin> joins, std::span<const Rigid3> world_from_component,
-                double camera_height_m, Registration& registration) {
+                double camera_height_m, std::span<const Gravity> gravity,
+                Registration& registration) {
+  std::vector<PanoPair*> tied;
   // The group of each component and its place there, in camera heights.
   std::vector<int> group;
   for (size_t c = 0; c < world_from_component.size(); ++c) group.push_back(static_cast<int>(c));
@@ -120,6 +123,7 @@ void ApplyJoins(std::span<const ComponentJoin> joins, std::span<const Rigid3> wo
       pair->verdict = PairVerdict::kAccepted;
       pair->inliers = found.inliers;
       pair->log10_chance = -join.log_odds / std::log(10.0);
+      tied.push_back(&*pair);
     }
   }
   for (size_t i = 0; i < registration.component_idx.size(); ++i) {
@@ -127,6 +131,11 @@ void ApplyJoins(std::span<const ComponentJoin> joins, std::span<const Rigid3> wo
     registration.world_from_cam[i] =
         group_from_component[component] * registration.world_from_cam[i];
     registration.component_idx[i] = group[component];
+  }
+  for (PanoPair* pair : tied) {
+    const size_t a = static_cast<size_t>(pair->a_idx), b = static_cast<size_t>(pair->b_idx);
+    SetGeometry(registration.world_from_cam[a], registration.world_from_cam[b], gravity[a],
+                gravity[b], *pair);
   }
   Renumber(registration.component_idx);
 }
@@ -239,7 +248,8 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
         JoinComponents({world_from_cam, registration.component_idx, seen.features, outlines},
                        options.joining, context);
     if (!report.joins.empty()) {
-      ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, registration);
+      ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, seen.gravity,
+                 registration);
       RefineRegistration(seen.features, seen.gravity, options.registration, context, registration);
     }
   }

@@ -40,6 +40,7 @@ std::vector<PairToMatch> ListPairs(std::span<const ViewPair> selected,
 }
 
 constexpr double kWeakLog10Chance = -10;
+constexpr double kBridgeLog10Chance = -6;
 
 // Lengths from floor and ceiling, then made to agree with each other.
 void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
@@ -57,6 +58,21 @@ void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
   for (PanoPair& pair : pairs) {
     const bool is_weak = pair.log10_chance > kWeakLog10Chance && pair.length <= 0;
     if (pair.verdict == PairVerdict::kAccepted && is_weak) pair.verdict = PairVerdict::kChance;
+  }
+}
+
+// One weak pair must not tie together what nothing else does: of made homes such a pair was false.
+// Doors may tell better afterwards.
+void RefuseWeakBridges(int num_views, std::vector<PanoPair>& pairs) {
+  const auto num_components = [&] {
+    const std::vector<int> component_idx = FindComponents(num_views, pairs);
+    return *std::max_element(component_idx.begin(), component_idx.end());
+  };
+  const int before = num_components();
+  for (PanoPair& pair : pairs) {
+    if (pair.verdict != PairVerdict::kAccepted || pair.log10_chance <= kBridgeLog10Chance) continue;
+    pair.verdict = PairVerdict::kChance;
+    if (num_components() == before) pair.verdict = PairVerdict::kAccepted;
   }
 }
 
@@ -164,7 +180,7 @@ void RefineRegistration(std::span<const PanoFeatures> features, std::span<const 
                         Registration& registration) {
   AdjustComponents(features, gravity, options, context, registration);
   if (!options.use_guided) return;
-  MatchGuided(features, options, context, registration);
+  MatchGuided(features, gravity, options, context, registration);
   AdjustComponents(features, gravity, options, context, registration);
 }
 
@@ -181,6 +197,7 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
                                   options.match, options.two_view, context);
   const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
   FindLengths(level, registration.pairs);
+  RefuseWeakBridges(num_views, registration.pairs);
   const std::vector<Eigen::Vector2d> positions = SolvePositions(yaws, registration.pairs);
   registration.component_idx = FindComponents(num_views, registration.pairs);
   for (size_t i = 0; i < features.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/sfm/gravity.h"
 #include "tests/sfm/pose_errors.h"
 #include "tests/sfm/registration_scene.h"
 
@@ -163,6 +164,33 @@ double ScaleAfter(bool has_floor) {
   return (bundle.poses[5].translation - bundle.poses[0].translation).norm() /
          (bundle.scene.world_from_cam[5].translation - bundle.scene.world_from_cam[0].translation)
              .norm();
+}
+
+// Two cameras that share hardly a point turn freely about each other but for the walls.
+TEST(AdjustBundle, FollowsTheWalls) {
+  const auto turn_of_second = [](bool has_walls) {
+    MadeBundle bundle;
+    bundle.poses.resize(2);
+    std::erase_if(bundle.tracks, [](Track& track) {
+      std::erase_if(track.observations, [](const Observation& seen) { return seen.view_idx > 1; });
+      return track.observations.size() < 2;
+    });
+    bundle.tracks.resize(4);
+    bundle.scene.gravity.resize(2);
+    bundle.scene.world_from_cam.resize(2);
+    for (size_t i = 0; i < 2 && has_walls; ++i) {
+      const Eigen::Matrix3d world_from_level = bundle.scene.world_from_cam[i].rotation *
+                                               LevelFromCam(bundle.scene.gravity[i]).transpose();
+      bundle.scene.gravity[i].heading_rad =
+          DegToRad(20) - std::atan2(world_from_level(1, 0), world_from_level(0, 0)) +
+          static_cast<double>(i) * kPi / 2;
+    }
+    bundle.poses[1].rotation = RotationZ(DegToRad(1)) * bundle.poses[1].rotation;
+    bundle.Adjust({.ray_sigma_deg = 2});
+    return TurnBetween(bundle.poses[1].rotation, bundle.scene.world_from_cam[1].rotation);
+  };
+  EXPECT_LT(turn_of_second(true), DegToRad(0.2));
+  EXPECT_GT(turn_of_second(false), DegToRad(0.4));
 }
 
 TEST(AdjustBundle, PointsOnTheFloorFixTheScale) {

@@ -54,7 +54,7 @@ class MatchGuidedTest : public testing::Test {
 
   void Match() {
     RunContext context(2);
-    MatchGuided(scene.features, {}, context, registration);
+    MatchGuided(scene.features, scene.gravity, {}, context, registration);
   }
 
   RegistrationScene scene;

@@ -177,8 +177,8 @@ TEST_F(PlacePanoramasTest, TakesAKnownDistance) {
   static_cast<void>(Place(scene, context, pictures + ",3.25"));
   EXPECT_NEAR(FoundDistance(scene), 3.25, 0.001);
   EXPECT_EQ(scene.scale_source, ScaleSource::kKnownDistance);
-  Scene untied = Pictures();
   Flip(1, false, true);
+  Scene untied = Pictures();
   EXPECT_THROW(static_cast<void>(Place(untied, context, pictures + ",3.25")), InvalidInputError);
 }
 
