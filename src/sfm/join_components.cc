@@ -3,10 +3,12 @@
 #include "enfilade/sfm/join_components.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/geometry/angles.h"
 #include "src/sfm/component_floor.h"
 #include "src/sfm/door_placement.h"
 
@@ -32,6 +34,45 @@ RoomRay RayOf(const UnjoinedComponents& components, const RoomView& view, int fe
   return {ray, view.outline->SurfaceDistance(view.position.z(), ray)};
 }
 
+// Leaves out matches that a turn about the vertical alone explains: the landscape behind windows is
+// the same for many rooms, and through two windows it looks like a room behind a door.
+void DropLandscape(ViewPairMatches& pair) {
+  constexpr double kSame_rad = DegToRad(1);
+  constexpr int kMinLandscape = 3;
+  const auto azimuth = [](const Eigen::Vector3d& ray) { return std::atan2(ray.y(), ray.x()); };
+  const size_t count = pair.matches.size();
+  std::vector<char> is_level_with(count, 0);
+  std::vector<double> turn_rad(count, 0);
+  for (size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d &a = pair.rays_a[i].ray, &b = pair.rays_b[i].ray;
+    is_level_with[i] = std::abs(std::asin(a.z()) - std::asin(b.z())) < kSame_rad ? 1 : 0;
+    turn_rad[i] = azimuth(a) - azimuth(b);
+  }
+  std::vector<char> is_landscape(count, 0);
+  for (size_t i = 0; i < count; ++i) {
+    if (is_level_with[i] == 0) continue;
+    int num_alike = 0;
+    for (size_t k = 0; k < count; ++k) {
+      const bool is_alike =
+          is_level_with[k] != 0 && std::abs(WrapPi(turn_rad[i] - turn_rad[k])) < kSame_rad;
+      const bool is_apart = (pair.rays_a[i].ray - pair.rays_a[k].ray).norm() > kSame_rad;
+      num_alike += is_alike && is_apart ? 1 : 0;
+    }
+    is_landscape[i] = num_alike >= kMinLandscape ? 1 : 0;
+  }
+  size_t kept = 0;
+  for (size_t i = 0; i < count; ++i) {
+    if (is_landscape[i] != 0) continue;
+    pair.matches[kept] = pair.matches[i];
+    pair.rays_a[kept] = pair.rays_a[i];
+    pair.rays_b[kept] = pair.rays_b[i];
+    ++kept;
+  }
+  pair.matches.resize(kept);
+  pair.rays_a.resize(kept);
+  pair.rays_b.resize(kept);
+}
+
 // The matches of all pairs of panoramas of two components, in the order of the views.
 std::vector<ViewPairMatches> MatchAcross(const UnjoinedComponents& components,
                                          const ComponentFloor& a, const ComponentFloor& b,
@@ -50,6 +91,7 @@ std::vector<ViewPairMatches> MatchAcross(const UnjoinedComponents& components,
       pair.rays_a.push_back(RayOf(components, pair.a, match.a_idx));
       pair.rays_b.push_back(RayOf(components, pair.b, match.b_idx));
     }
+    DropLandscape(pair);
   });
   std::erase_if(pairs, [](const ViewPairMatches& pair) { return pair.matches.empty(); });
   return pairs;

@@ -166,9 +166,10 @@ double ScaleAfter(bool has_floor) {
              .norm();
 }
 
-// Two cameras that share hardly a point turn freely about each other but for the walls.
-TEST(AdjustBundle, FollowsTheWalls) {
-  const auto turn_of_second = [](bool has_walls) {
+// Two cameras share four points; the walls of the second seem to run a degree off. How much that
+// turns it depends on how good the rays are.
+TEST(AdjustBundle, FollowsTheWallsWhereRaysAreWeak) {
+  const auto turn_of_second = [](double ray_sigma_deg) {
     MadeBundle bundle;
     bundle.poses.resize(2);
     std::erase_if(bundle.tracks, [](Track& track) {
@@ -178,19 +179,18 @@ TEST(AdjustBundle, FollowsTheWalls) {
     bundle.tracks.resize(4);
     bundle.scene.gravity.resize(2);
     bundle.scene.world_from_cam.resize(2);
-    for (size_t i = 0; i < 2 && has_walls; ++i) {
+    for (size_t i = 0; i < 2; ++i) {
       const Eigen::Matrix3d world_from_level = bundle.scene.world_from_cam[i].rotation *
                                                LevelFromCam(bundle.scene.gravity[i]).transpose();
       bundle.scene.gravity[i].heading_rad =
           DegToRad(20) - std::atan2(world_from_level(1, 0), world_from_level(0, 0)) +
-          static_cast<double>(i) * kPi / 2;
+          static_cast<double>(i) * (kPi / 2 - DegToRad(1));
     }
-    bundle.poses[1].rotation = RotationZ(DegToRad(1)) * bundle.poses[1].rotation;
-    bundle.Adjust({.ray_sigma_deg = 2});
+    bundle.Adjust({.ray_sigma_deg = ray_sigma_deg});
     return TurnBetween(bundle.poses[1].rotation, bundle.scene.world_from_cam[1].rotation);
   };
-  EXPECT_LT(turn_of_second(true), DegToRad(0.2));
-  EXPECT_GT(turn_of_second(false), DegToRad(0.4));
+  EXPECT_GT(turn_of_second(5), DegToRad(0.5));
+  EXPECT_LT(turn_of_second(0.005), DegToRad(0.05));
 }
 
 TEST(AdjustBundle, PointsOnTheFloorFixTheScale) {

@@ -17,7 +17,7 @@ struct JoinOptions {
   double max_ratio = 0.9;
   double inlier_deg = 0.7;
   double max_overlap = 0.12;
-  double min_log_odds = 10.0;
+  double min_log_odds = 20.0;
   double min_margin = 4.0;
 
   void Visit(OptionVisitor& v) {
