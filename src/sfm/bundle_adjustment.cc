@@ -141,18 +141,13 @@ struct CeilingResidual {
   }
 };
 
-// Azimuth modulo 90°, in [−45°, 45°).
-double QuarterOf(double azimuth_rad) {
-  return azimuth_rad - kPi / 2 * std::floor(azimuth_rad / (kPi / 2) + 0.5);
-}
-
 // Of headings modulo 90° the one near which most others are.
 double CommonHeading(std::span<const double> headings_rad) {
   double best = 0;
   long most = -1;
   for (const double heading : headings_rad) {
     const auto count = std::count_if(headings_rad.begin(), headings_rad.end(), [&](double other) {
-      return std::abs(QuarterOf(other - heading)) < kSameHeading_rad;
+      return std::abs(WrapQuarter(other - heading)) < kSameHeading_rad;
     });
     if (count <= most) continue;
     most = count;
@@ -256,7 +251,7 @@ class Bundle {
     }
     heading_rad_ = CommonHeading(headings_rad);
     for (size_t k = 0; k < views.size(); ++k) {
-      if (std::abs(QuarterOf(headings_rad[k] - heading_rad_)) > kSameHeading_rad) continue;
+      if (std::abs(WrapQuarter(headings_rad[k] - heading_rad_)) > kSameHeading_rad) continue;
       // Of the walls' four directions the one along the heading itself.
       const double quarters = std::round((headings_rad[k] - heading_rad_) / (kPi / 2));
       const Vector3d up = gravity[views[k]].up_in_cam;
