@@ -21,24 +21,12 @@ namespace enfilade {
 namespace {
 
 constexpr int kCamerasPerRoom = 4;
-constexpr double kRoomWidth = 3.2;
 
 RegistrationScene MakeRow(int num_cameras) {
   MadeSceneOptions options;
-  options.wall_x = {0};
   options.num_points_per_room = 1000;
   options.noise_rad = DegToRad(0.05);
-  std::vector<MadeCamera> cameras;
-  for (int room = 0; room < num_cameras / kCamerasPerRoom; ++room) {
-    const double x0 = room * kRoomWidth;
-    options.wall_x.push_back(x0 + kRoomWidth);
-    options.is_door_open.push_back(true);
-    for (const MadeCamera& camera : SpreadCameras(x0 + 0.2, x0 + kRoomWidth - 0.2, options.depth,
-                                                  kCamerasPerRoom, static_cast<uint32_t>(room))) {
-      cameras.push_back(camera);
-    }
-  }
-  return MakeRegistrationScene(options, cameras);
+  return MakeRowOfRooms(options, num_cameras / kCamerasPerRoom, kCamerasPerRoom, true);
 }
 
 void BM_AdjustBundle(benchmark::State& state) {

@@ -20,28 +20,16 @@ namespace enfilade {
 namespace {
 
 constexpr int kCamerasPerRoom = 4;
-constexpr double kRoomWidth = 3.2;
 
 RegistrationScene MakeBuilding(int num_cameras) {
   MadeSceneOptions options;
-  options.wall_x = {0};
   options.noise_rad = DegToRad(0.05);
   options.gravity_noise_rad = DegToRad(0.1);
   options.false_share = 0.1;
   // As in homes, most features of a picture are of no use.
   options.num_points_per_room = 200;
   options.lone_share = 4;
-  std::vector<MadeCamera> cameras;
-  for (int room = 0; room < num_cameras / kCamerasPerRoom; ++room) {
-    const double x0 = room * kRoomWidth;
-    options.wall_x.push_back(x0 + kRoomWidth);
-    options.is_door_open.push_back(true);
-    for (const MadeCamera& camera : SpreadCameras(x0 + 0.2, x0 + kRoomWidth - 0.2, options.depth,
-                                                  kCamerasPerRoom, static_cast<uint32_t>(room))) {
-      cameras.push_back(camera);
-    }
-  }
-  return MakeRegistrationScene(options, cameras);
+  return MakeRowOfRooms(options, num_cameras / kCamerasPerRoom, kCamerasPerRoom, true);
 }
 
 void BM_RegistrationGrowth(benchmark::State& state) {

@@ -22,24 +22,12 @@ using ::testing::SizeIs;
 
 // Twelve rooms behind shut doors with four cameras each: nothing ties cameras of different rooms.
 constexpr int kRooms = 12, kCamerasPerRoom = 4;
-constexpr double kRoomWidth = 3.2;
 
 RegistrationScene MakeShutRooms() {
   MadeSceneOptions options;
-  options.wall_x = {0};
   options.num_points_per_room = 120;
   options.lone_share = 1;
-  std::vector<MadeCamera> cameras;
-  for (int room = 0; room < kRooms; ++room) {
-    const double x0 = room * kRoomWidth;
-    options.wall_x.push_back(x0 + kRoomWidth);
-    options.is_door_open.push_back(false);
-    for (const MadeCamera& camera : SpreadCameras(x0 + 0.2, x0 + kRoomWidth - 0.2, options.depth,
-                                                  kCamerasPerRoom, static_cast<uint32_t>(room))) {
-      cameras.push_back(camera);
-    }
-  }
-  return MakeRegistrationScene(options, cameras);
+  return MakeRowOfRooms(options, kRooms, kCamerasPerRoom, false);
 }
 
 std::vector<ViewPair> Select(const RegistrationScene& scene, const PairSelectionOptions& options,

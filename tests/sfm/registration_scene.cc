@@ -191,6 +191,22 @@ std::vector<MadeCamera> SpreadCameras(double x0, double x1, double depth, int co
   return cameras;
 }
 
+RegistrationScene MakeRowOfRooms(MadeSceneOptions options, int num_rooms, int cameras_per_room,
+                                 bool are_doors_open) {
+  constexpr double kRoomWidth = 3.2, kClear = 0.2;
+  options.wall_x = {0};
+  std::vector<MadeCamera> cameras;
+  for (int room = 0; room < num_rooms; ++room) {
+    const double x0 = room * kRoomWidth, x1 = x0 + kRoomWidth;
+    options.wall_x.push_back(x1);
+    options.is_door_open.push_back(are_doors_open);
+    const std::vector<MadeCamera> own = SpreadCameras(
+        x0 + kClear, x1 - kClear, options.depth, cameras_per_room, static_cast<uint32_t>(room));
+    cameras.insert(cameras.end(), own.begin(), own.end());
+  }
+  return MakeRegistrationScene(options, cameras);
+}
+
 std::vector<Vector3d> LevelRaysOf(const RegistrationScene& scene, int view_idx) {
   const Matrix3d level_from_cam = LevelFromCam(scene.gravity[static_cast<size_t>(view_idx)]);
   std::vector<Vector3d> rays;

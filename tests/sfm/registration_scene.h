@@ -56,6 +56,11 @@ struct RegistrationScene {
 [[nodiscard]] std::vector<MadeCamera> SpreadCameras(double x0, double x1, double depth, int count,
                                                     uint32_t seed);
 
+/// Equal rooms in a row, 3.2 wide, with the same number of cameras in each, in the order of the
+/// rooms; `options` tell all but the walls and doors.
+[[nodiscard]] RegistrationScene MakeRowOfRooms(MadeSceneOptions options, int num_rooms,
+                                               int cameras_per_room, bool are_doors_open);
+
 /// The features' rays in the view's level frame.
 [[nodiscard]] std::vector<Eigen::Vector3d> LevelRaysOf(const RegistrationScene& scene,
                                                        int view_idx);
