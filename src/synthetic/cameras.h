@@ -14,9 +14,10 @@ namespace enfilade {
 /// a room has no clear place.
 [[nodiscard]] bool PlaceCameras(Home& home, Random& random);
 
-/// Puts 8–12 cameras in a home as an agent would, about two a room: one in every room but closets,
-/// a second in each that has a place for it, largest first, then a third. Returns false when there
-/// is no place for that many.
+/// Puts 8–12 cameras in a home as an agent would, about two a room and one or more in each that is
+/// no closet: one within 0.9 m of every passable door between two such rooms, where either side has
+/// a place for it; then one in every room that has none; then more where rooms have places, first
+/// where there are fewest, the largest first. Returns false when there is no place for that many.
 [[nodiscard]] bool PlaceTourCameras(Home& home, Random& random);
 
 /// Puts cameras 0.4–0.5 m apart along a path through all rooms and the open doors between them, in

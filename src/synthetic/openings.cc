@@ -241,28 +241,38 @@ bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& ra
     std::replace(group.begin(), group.end(), to, from);
   };
   for (const HomeOpening& opening : home.openings) join(opening.room_id, *opening.other_room_id);
-  const size_t states = mix.has_ajar ? kPassable.size() : 2;
-  const size_t first = mix.has_ajar ? 1 : 0;  // the open plan may leave but two doors
+  const auto leads_to_closet = [&](const SharedWall& s) {
+    return IsCloset(home.RoomById(s.wall.room_id)) || IsCloset(home.RoomById(s.other_room_id));
+  };
+  bool is_ajar_due = mix.has_ajar;
+  bool has_leaf = mix.has_ajar;  // the open plan may leave but two doors, one of them ajar
   std::vector<SharedWall> rest;
-  size_t num_doors = 0;
   for (const SharedWall& s : shared) {
     const auto room_idx = static_cast<size_t>(s.wall.room_id);
+    const bool is_ajar = is_ajar_due && leads_to_closet(s);
+    const DoorState& state = is_ajar ? kAjar : has_leaf ? kOpen : kLeafless;
     if (group[room_idx] == group[static_cast<size_t>(s.other_room_id)]) {
       rest.push_back(s);
-    } else if (AddDoor(home, s, kPassable[(first + num_doors) % states], random)) {
+    } else if (AddDoor(home, s, state, random)) {
       join(s.wall.room_id, s.other_room_id);
-      ++num_doors;
+      if (is_ajar) {
+        is_ajar_due = false;
+      } else {
+        has_leaf = !has_leaf;
+      }
     }
   }
   if (std::any_of(group.begin(), group.end(), [&](int g) { return g != group[0]; })) return false;
   for (const SharedWall& s : rest) {
-    if (random.Chance(mix.closed_inner_share)) {
+    if (is_ajar_due && AddDoor(home, s, kAjar, random)) {
+      is_ajar_due = false;
+    } else if (random.Chance(mix.closed_inner_share)) {
       (void)AddDoor(home, s, kClosed, random);
     } else if (mix.open_inner_share > 0 && random.Chance(mix.open_inner_share)) {
       (void)AddDoor(home, s, kOpen, random);
     }
   }
-  return AddEntrance(home, random);
+  return !is_ajar_due && AddEntrance(home, random);
 }
 
 bool AddCorridorDoors(Home& home, double max_thickness_m, Random& random) {

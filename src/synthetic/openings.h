@@ -30,15 +30,17 @@ struct SharedWall {
 [[nodiscard]] std::vector<SharedWall> OuterStretches(const Home& home);
 
 struct DoorMix {
-  bool has_ajar = false;            ///< every third passable door is hardly open
+  bool has_ajar = false;            ///< one door that nobody had to go through is hardly open
   double closed_inner_share = 0.7;  ///< of the pairs of neighbours that are joined already
   double open_inner_share = 0;      ///< of the rest of these: loops of rooms
 };
 
 /// Joins the rooms by doors (0.8–0.9 m wide, 2.0 m high): a random spanning tree of passable ones
-/// over those that openings join already, the first without leaf, the second with an open leaf, the
-/// third ajar if the mix has such; then doors between other neighbours, and a closed entrance.
-/// Returns false when the rooms cannot be joined or no outer wall takes the entrance.
+/// over those that openings join already, with an open leaf and without leaf in turn; then doors
+/// between other neighbours, and a closed entrance. If the mix has one that is ajar, it leads into
+/// a closet or between two rooms that are joined anyway: people open doors to take pictures.
+/// Returns false when the rooms cannot be joined, no wall takes the door that is ajar, or no outer
+/// wall the entrance.
 [[nodiscard]] bool AddDoors(Home& home, double max_thickness_m, const DoorMix& mix, Random& random);
 
 /// Joins every room to a corridor by one passable door, leafless, open and ajar in turn, and the
