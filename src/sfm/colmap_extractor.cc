@@ -140,7 +140,8 @@ std::vector<std::string> ColmapSiftArguments(const Camera& camera, double min_co
           "--SiftExtraction.num_octaves=" + std::to_string(num_octaves),
           "--SiftExtraction.octave_resolution=" + std::to_string(kOctaveResolution),
           "--SiftExtraction.peak_threshold=" + NumberText(min_contrast / kOctaveResolution),
-          "--SiftExtraction.edge_threshold=10"};
+          "--SiftExtraction.edge_threshold=10",
+          "--SiftExtraction.upright=1"};
 }
 
 void RunColmapExtractor(const ColmapExtractorRun& run, RunContext& context) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/sfm/colmap_features.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // Goes up when other views are rendered than before, so that old databases are not believed.
-constexpr std::string_view kViewsVersion = "1";
+constexpr std::string_view kViewsVersion = "2";
 constexpr float kColmapDescriptorScale = 512;
 constexpr std::chrono::seconds kHelpTimeout{30};
 constexpr size_t kHashDigits = 16;
@@ -42,12 +43,19 @@ struct ViewPlan {
   std::vector<std::string> names;  ///< one a view of the ring
 };
 
-std::vector<ViewPlan> PlanViews(std::span<const View> panoramas, const FeatureOptions& options) {
+std::vector<ViewPlan> PlanViews(std::span<const View> panoramas,
+                                std::span<const Eigen::Matrix3d> pano_from_walls,
+                                const FeatureOptions& options) {
+  ENFILADE_CHECK(pano_from_walls.size() == panoramas.size());
   std::vector<ViewPlan> plans;
-  for (const View& pano : panoramas) {
+  for (size_t i = 0; i < panoramas.size(); ++i) {
+    const View& pano = panoramas[i];
     ENFILADE_CHECK(pano.sha256.size() >= kHashDigits);
-    ViewPlan plan{MakeViewRing(pano.camera), {}};
+    ViewPlan plan{MakeWallViews(pano.camera, pano_from_walls[i]), {}};
     std::string recipe(kViewsVersion);
+    for (const double number : pano_from_walls[i].reshaped()) {
+      recipe += fmt::format(" {:.9f}", number);
+    }
     for (const std::string& argument :
          ColmapSiftArguments(plan.ring.camera, options.min_contrast)) {
       recipe += " " + argument;
@@ -215,13 +223,13 @@ FeatureSource ChooseFeatureSource(const FeatureOptions& options) {
   return FindColmap(options.colmap_program) ? FeatureSource::kColmap : FeatureSource::kOpenCv;
 }
 
-std::vector<PanoFeatures> ExtractFeaturesWithColmap(std::span<const View> panoramas,
-                                                    const Stand& stand,
-                                                    const FeatureOptions& options,
-                                                    const fs::path& database, RunContext& context) {
+std::vector<PanoFeatures> ExtractFeaturesWithColmap(
+    std::span<const View> panoramas, std::span<const Eigen::Matrix3d> pano_from_walls,
+    const Stand& stand, const FeatureOptions& options, const fs::path& database,
+    RunContext& context) {
   if (panoramas.empty()) return {};
   if (database.has_parent_path()) CreateFolder(database.parent_path());
-  const std::vector<ViewPlan> plans = PlanViews(panoramas, options);
+  const std::vector<ViewPlan> plans = PlanViews(panoramas, pano_from_walls, options);
   CompleteDatabase(panoramas, plans, options, database, context);
   const ColmapDatabase complete(database);
   std::vector<PanoFeatures> features(panoramas.size());

@@ -25,6 +25,7 @@ void FeaturePool::Add(int view_idx, const Eigen::Vector2d& pixel, double size_px
   if (!ring_.Owns(view_idx, ray) || *PixelOfRay(trusted_, pano_, ray) == 0) return;
   rays_.push_back(ray.cast<float>());
   strengths_.push_back(static_cast<float>(strength));
+  views_.push_back(static_cast<uint8_t>(view_idx));
   // A pixel subtends less towards the border of a plane picture.
   sizes_rad_.push_back(
       static_cast<float>(size_px * ring_.pixel_rad() * ray_in_view.z() * ray_in_view.z()));
@@ -58,6 +59,7 @@ PanoFeatures FeaturePool::Take(int max_features) {
   for (const size_t i : order) {
     features.rays.push_back(rays_[i]);
     features.sizes_rad.push_back(sizes_rad_[i]);
+    features.walls.push_back(views_[i]);
     features.descriptors.values.insert(features.descriptors.values.end(), descriptor(i),
                                        descriptor(i) + kDimension);
   }

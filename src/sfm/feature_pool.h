@@ -12,15 +12,15 @@
 
 namespace enfilade {
 
-/// Gathers the features of a panorama's virtual views and keeps each one once.
+/// Gathers the features of a panorama's virtual views, each from the views that own its direction.
 class FeaturePool {
  public:
   /// References must outlive the pool. `trusted` is 0 where features are not wanted.
   FeaturePool(const Camera& pano, const ViewRing& ring, const ImageU8& trusted)
       : pano_(pano), ring_(ring), trusted_(trusted) {}
 
-  /// Takes a feature of a view unless another view owns its direction or the pixel is not trusted.
-  /// `pixel` and `size_px` are the view's; `root_sift` are 128 values from 0 to 1;
+  /// Takes a feature of a view unless the view does not own its direction or the pixel is not
+  /// trusted. `pixel` and `size_px` are the view's; `root_sift` are 128 values from 0 to 1;
   /// `strength` says which features are kept where there are too many.
   void Add(int view_idx, const Eigen::Vector2d& pixel, double size_px, double strength,
            const float* root_sift);
@@ -35,6 +35,7 @@ class FeaturePool {
   std::vector<Eigen::Vector3f> rays_;
   std::vector<float> sizes_rad_;
   std::vector<float> strengths_;
+  std::vector<uint8_t> views_;
   std::vector<uint8_t> descriptors_;
 };
 

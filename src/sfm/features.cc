@@ -47,10 +47,11 @@ std::span<const std::string_view> EnumNames(FeatureSource) {
 }
 
 PanoFeatures ExtractFeatures(const ImageU8& panorama, const ImageU8& trusted, const Camera& camera,
+                             const Eigen::Matrix3d& pano_from_walls,
                              const FeatureOptions& options) {
   ENFILADE_CHECK(trusted.rows() == panorama.rows() && trusted.cols() == panorama.cols());
   const ImageU8 gray = ToGray(panorama);
-  const ViewRing ring = MakeViewRing(camera);
+  const ViewRing ring = MakeWallViews(camera, pano_from_walls);
   FeaturePool pool(camera, ring, trusted);
   const cv::Ptr<cv::SIFT> sift =
       cv::SIFT::create(0, 3, options.min_contrast, /*edgeThreshold=*/10, /*sigma=*/1.6);
@@ -60,7 +61,11 @@ PanoFeatures ExtractFeatures(const ImageU8& panorama, const ImageU8& trusted, co
                           const_cast<uint8_t*>(view.data().data()));
     std::vector<cv::KeyPoint> keypoints;
     cv::Mat descriptors;
-    sift->detectAndCompute(picture, cv::noArray(), keypoints, descriptors);
+    sift->detect(picture, keypoints);
+    // The views are level: a feature that stands upright needs no orientation of its own.
+    for (cv::KeyPoint& keypoint : keypoints) keypoint.angle = 0;
+    cv::KeyPointsFilter::removeDuplicatedSorted(keypoints);
+    sift->compute(picture, keypoints, descriptors);
     for (size_t i = 0; i < keypoints.size(); ++i) {
       const cv::KeyPoint& keypoint = keypoints[i];
       pool.Add(static_cast<int>(k), {keypoint.pt.x + kPixelShift, keypoint.pt.y + kPixelShift},

@@ -24,7 +24,7 @@ constexpr double kMaxTurn_rad = DegToRad(5), kMaxDirection_rad = DegToRad(10);
 constexpr double kMaxShift_m = 0.3;
 
 // Pairs less likely by chance than this count where they tell the same as the poses.
-constexpr double kWeakLog10Chance = 0;
+constexpr double kWeakLog10Chance = -4, kSureLog10Chance = -20;
 
 bool IsPanorama(const View& view) { return view.camera.model == CameraModel::kEquirectangular; }
 
@@ -64,7 +64,7 @@ std::vector<PairToMatch> ListNearPairs(const Scene& scene, std::span<const Gravi
       if (!is_near || !IsPanorama(view_a) || !IsPanorama(view_b)) continue;
       pairs.push_back({.a_idx = static_cast<int>(a),
                        .b_idx = static_cast<int>(b),
-                       .heading_difference_rad = yaw(b) - yaw(a),
+                       .yaw_rad = WrapPi(yaw(b) - yaw(a)),
                        .followed = {}});
     }
   }
@@ -81,7 +81,9 @@ bool AgreesWithPoses(const PanoPair& pair, std::span<const Rigid3> poses,
   const Vector3d baseline = poses[b].translation - poses[a].translation;
   const Vector3d told = baseline.norm() * (world_from_a * pair.direction);
   const double miss_m = (told - baseline).norm();
-  return miss_m <= std::max(kMaxShift_m, kMaxDirection_rad * baseline.norm());
+  // What is not sure by itself may be so far off by chance.
+  const bool is_sure = pair.log10_chance <= kSureLog10Chance;
+  return miss_m <= std::max(kMaxShift_m, is_sure ? kMaxDirection_rad * baseline.norm() : 0);
 }
 
 // Refuses accepted pairs that contradict the poses, and takes those that are too weak to stand
@@ -126,7 +128,8 @@ std::vector<Track> RefinePoses(const std::vector<Track>& chains, const SeenPictu
     ray_error_rad =
         AdjustGivenPoses(seen.features, given, seen.gravity, sigmas, bundle, poses, tracks);
   }
-  return tracks;
+  return TriangulateTracks(poses, seen.features, {.max_error_rad = DegToRad(kMaxErrors_deg.back())},
+                           chains);
 }
 
 // Takes refined poses into the scene and notes how far they moved.
@@ -155,13 +158,14 @@ GivenPoseReport FindPointsOfPoses(const PlaceOptions& options,
                                   const std::filesystem::path& work_folder,
                                   const std::string& program, RunContext& context, Scene& scene) {
   std::vector<Rigid3> poses = PosesOf(scene);
-  const std::vector<Gravity> gravity = GravityOf(poses);
   const SeenPictures seen =
       LookAtPictures(scene, {}, options.features, options.stand, work_folder, program, context);
+  std::vector<Gravity> gravity = GravityOf(poses);
+  for (size_t i = 0; i < gravity.size(); ++i) gravity[i].heading_rad = seen.gravity[i].heading_rad;
   GivenPoseReport report;
   for (const PanoFeatures& features : seen.features) report.num_features.push_back(features.size());
   report.pairs = MatchPairs(ListNearPairs(scene, gravity, options.given.max_distance_m),
-                            seen.features, TurnLevel(seen.features, gravity),
+                            seen.features, gravity, TurnLevel(seen.features, gravity),
                             options.registration.match, options.registration.two_view, context);
   report.warnings = JudgeByPoses(poses, gravity, report.pairs);
   std::vector<Track> tracks = BuildTracks(report.pairs, seen.features);

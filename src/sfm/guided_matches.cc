@@ -10,6 +10,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/tracks.h"
 #include "src/sfm/level_rays.h"
+#include "src/sfm/wall_matches.h"
 
 namespace enfilade {
 namespace {
@@ -107,8 +108,13 @@ void MatchGuided(std::span<const PanoFeatures> features, std::span<const Gravity
     PanoPair& pair = *pairs[static_cast<size_t>(k)];
     const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
     const Rigid3 &pose_a = registration.world_from_cam[a], &pose_b = registration.world_from_cam[b];
+    PanoPair placed_pair = pair;
+    SetGeometry(pose_a, pose_b, gravity[a], gravity[b], placed_pair);
+    const int turn = TurnOfYaw(gravity[a], gravity[b], placed_pair.Yaw_rad());
     const std::vector<FeatureMatch> matches =
-        MatchDescriptors(features[a].descriptors, features[b].descriptors, loose);
+        YawOfTurn(features[a], gravity[a], features[b], gravity[b], turn)
+            ? MatchWalls(features[a], features[b], turn, loose)
+            : MatchDescriptors(features[a].descriptors, features[b].descriptors, loose);
     PlacedPair placed;
     placed.geometry.direction = (pose_b.translation - pose_a.translation).normalized();
     for (const FeatureMatch& match : matches) {

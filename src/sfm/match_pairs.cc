@@ -5,6 +5,16 @@
 #include "src/sfm/level_rays.h"
 
 namespace enfilade {
+namespace {
+
+bool IsClearer(const PanoPair& pair, const PanoPair& than) {
+  const bool is_same = pair.verdict == PairVerdict::kSamePlace;
+  const bool is_other_same = than.verdict == PairVerdict::kSamePlace;
+  if (is_same != is_other_same) return is_same;
+  return pair.log10_chance < than.log10_chance;
+}
+
+}  // namespace
 
 LevelRays TurnLevel(std::span<const PanoFeatures> features, std::span<const Gravity> gravity) {
   LevelRays level;
@@ -12,22 +22,44 @@ LevelRays TurnLevel(std::span<const PanoFeatures> features, std::span<const Grav
   return level;
 }
 
+PanoPair MatchPair(const PairToMatch& pair, const PanoToMatch& a, const PanoToMatch& b,
+                   const DescriptorMatchOptions& match, const TwoViewOptions& two_view) {
+  PairHints hints{HeadingDifference(a.gravity, b.gravity), {}, a.log_sizes, b.log_sizes};
+  // Followed features have no descriptors and come last, so the order by a_idx holds.
+  const auto estimate = [&](std::vector<FeatureMatch> matches) {
+    matches.insert(matches.end(), pair.followed.begin(), pair.followed.end());
+    PanoPair estimated = EstimatePair(a.level_rays, b.level_rays, matches, two_view, hints);
+    estimated.a_idx = pair.a_idx;
+    estimated.b_idx = pair.b_idx;
+    return estimated;
+  };
+  std::optional<PanoPair> best;
+  for (int turn = 0; turn < kNumTurns; ++turn) {
+    if (pair.yaw_rad && turn != TurnOfYaw(a.gravity, b.gravity, *pair.yaw_rad)) continue;
+    hints.yaw_rad = YawOfTurn(a.features, a.gravity, b.features, b.gravity, turn);
+    if (!hints.yaw_rad) {
+      hints.yaw_rad = pair.yaw_rad;
+      return estimate(MatchDescriptors(a.features.descriptors, b.features.descriptors, match));
+    }
+    PanoPair turned = estimate(MatchWalls(a.features, b.features, turn, match));
+    if (!best || IsClearer(turned, *best)) best = std::move(turned);
+  }
+  return *best;
+}
+
 std::vector<PanoPair> MatchPairs(std::span<const PairToMatch> pairs,
-                                 std::span<const PanoFeatures> features, const LevelRays& level,
+                                 std::span<const PanoFeatures> features,
+                                 std::span<const Gravity> gravity, const LevelRays& level,
                                  const DescriptorMatchOptions& match,
                                  const TwoViewOptions& two_view, RunContext& context) {
+  std::vector<PanoToMatch> panos;
+  for (size_t i = 0; i < features.size(); ++i) panos.push_back({features[i], gravity[i], level[i]});
   std::vector<PanoPair> matched(pairs.size());
   ParallelFor(context, "match pairs", static_cast<int64_t>(pairs.size()), [&](int64_t k) {
     const PairToMatch& pair = pairs[static_cast<size_t>(k)];
-    const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
-    std::vector<FeatureMatch> matches =
-        MatchDescriptors(features[a].descriptors, features[b].descriptors, match);
-    // Followed features have no descriptors and come last, so the order by a_idx holds.
-    matches.insert(matches.end(), pair.followed.begin(), pair.followed.end());
-    PanoPair& result = matched[static_cast<size_t>(k)];
-    result = EstimatePair(level[a], level[b], matches, two_view, pair.heading_difference_rad);
-    result.a_idx = pair.a_idx;
-    result.b_idx = pair.b_idx;
+    matched[static_cast<size_t>(k)] =
+        MatchPair(pair, panos[static_cast<size_t>(pair.a_idx)],
+                  panos[static_cast<size_t>(pair.b_idx)], match, two_view);
   });
   return matched;
 }

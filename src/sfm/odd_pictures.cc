@@ -3,15 +3,20 @@
 #include "src/sfm/odd_pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/rigid3.h"
 #include "enfilade/sfm/descriptor_matcher.h"
 #include "enfilade/sfm/two_view.h"
 #include "src/sfm/level_rays.h"
+#include "src/sfm/match_pairs.h"
 #include "src/sfm/median.h"
+#include "src/sfm/wall_view.h"
 
 namespace enfilade {
 namespace {
@@ -27,12 +32,6 @@ constexpr size_t kClearSamePlace = 30;  // matches
 constexpr int kSmallShare = 3;
 constexpr double kCopyAngle_rad = DegToRad(0.3);
 constexpr double kCopyShare = 0.3;
-
-// A panorama as it is compared.
-struct Trial {
-  PanoFeatures features;
-  Gravity gravity;
-};
 
 std::vector<std::vector<int>> ViewsOfComponents(std::span<const int> component_idx) {
   std::vector<std::vector<int>> views;
@@ -53,12 +52,12 @@ bool IsClear(const PanoPair& pair, double max_log10_chance) {
   return pair.verdict == PairVerdict::kAccepted && pair.log10_chance <= max_log10_chance;
 }
 
-PanoPair Compare(const Trial& trial, const PanoFeatures& partner, const Gravity& partner_gravity,
-                 const RegisterOptions& options) {
-  const std::vector<FeatureMatch> matches =
-      MatchDescriptors(trial.features.descriptors, partner.descriptors, options.match);
-  return EstimatePair(TurnLevel(trial.features, trial.gravity), TurnLevel(partner, partner_gravity),
-                      matches, options.two_view, HeadingDifference(trial.gravity, partner_gravity));
+PanoPair Compare(const PanoTrial& trial, const PanoFeatures& partner,
+                 const Gravity& partner_gravity, const RegisterOptions& options) {
+  const std::vector<Vector3d> rays = TurnLevel(trial.features, trial.gravity);
+  const std::vector<Vector3d> partner_rays = TurnLevel(partner, partner_gravity);
+  return MatchPair({}, {trial.features, trial.gravity, rays},
+                   {partner, partner_gravity, partner_rays}, options.match, options.two_view);
 }
 
 // The clearest tie between the views, changed by `change`, and the partners.
@@ -66,8 +65,8 @@ std::optional<OddTie> ClearestTie(std::span<const PanoFeatures> features,
                                   std::span<const Gravity> gravity, std::span<const int> views,
                                   std::span<const int> partners, double max_log10_chance,
                                   const RegisterOptions& options, RunContext& context,
-                                  const std::function<Trial(size_t view_idx)>& change) {
-  std::vector<Trial> trials;
+                                  const std::function<PanoTrial(size_t view_idx)>& change) {
+  std::vector<PanoTrial> trials;
   for (const int view : views) trials.push_back(change(static_cast<size_t>(view)));
   std::vector<std::optional<OddTie>> ties(views.size() * partners.size());
   ParallelFor(context, "compare odd pictures", static_cast<int64_t>(ties.size()), [&](int64_t k) {
@@ -85,57 +84,70 @@ std::optional<OddTie> ClearestTie(std::span<const PanoFeatures> features,
   return best;
 }
 
+// Lets the features of a trial be seen in its own wall views: `moved_from_level`, which turns
+// azimuths back, makes its level frame of the one that `before` tells.
+void Move(const Eigen::Matrix3d& moved_from_level, const Gravity& before, PanoTrial& trial) {
+  double heading = 0, moved_heading = 0;
+  if (before.heading_rad) {
+    heading = *before.heading_rad;
+    moved_heading = WrapQuarter(-heading);
+    trial.gravity.heading_rad = moved_heading;
+  }
+  PanoFeatures& features = trial.features;
+  std::array<MovedView, kNumWallViews> moved;
+  for (int k = 0; k < kNumWallViews; ++k) {
+    moved[static_cast<size_t>(k)] =
+        MoveView(k, RotationZ(-moved_heading) * moved_from_level * RotationZ(heading));
+  }
+  std::vector<uint8_t> values;
+  for (int i = 0; i < features.descriptors.size(); ++i) {
+    // Where views are not told, descriptors still are upright.
+    const MovedView& to =
+        moved[features.walls.empty() ? 0 : features.walls[static_cast<size_t>(i)]];
+    if (!features.walls.empty())
+      features.walls[static_cast<size_t>(i)] = static_cast<uint8_t>(to.view);
+    const uint8_t* row = features.descriptors.row(i);
+    for (const uint8_t from : to.order) values.push_back(row[from]);
+  }
+  features.descriptors.values = std::move(values);
+}
+
 }  // namespace
 
-Gravity TurnedOver(const Gravity& gravity) {
-  Gravity turned = gravity;
-  turned.up_in_cam = -gravity.up_in_cam;
-  if (gravity.heading_rad) turned.heading_rad = WrapQuarter(-*gravity.heading_rad);
+PanoTrial TurnedOver(const PanoFeatures& features, const Gravity& gravity) {
+  PanoTrial turned{features, gravity};
+  turned.gravity.up_in_cam = -gravity.up_in_cam;
+  Move(Eigen::DiagonalMatrix<double, 3>(-1, 1, -1), gravity, turned);
   return turned;
 }
 
-Gravity Mirrored(const Gravity& gravity) {
-  Gravity mirrored = gravity;
-  mirrored.up_in_cam.x() = -gravity.up_in_cam.x();
-  if (gravity.heading_rad) mirrored.heading_rad = WrapQuarter(-*gravity.heading_rad);
+PanoTrial Mirrored(const PanoFeatures& features, const Gravity& gravity) {
+  PanoTrial mirrored{features, gravity};
+  mirrored.gravity.up_in_cam.x() = -gravity.up_in_cam.x();
+  for (Eigen::Vector3f& ray : mirrored.features.rays) ray.x() = -ray.x();
+  Move(Eigen::DiagonalMatrix<double, 3>(-1, 1, 1), gravity, mirrored);
   return mirrored;
 }
 
-PanoFeatures Mirrored(const PanoFeatures& features) {
-  constexpr int kSide = 4, kAngles = 8;
-  PanoFeatures mirrored = features;
-  for (Eigen::Vector3f& ray : mirrored.rays) ray.x() = -ray.x();
-  for (int i = 0; i < features.size(); ++i) {
-    const uint8_t* from = features.descriptors.row(i);
-    uint8_t* to = mirrored.descriptors.values.data() + static_cast<size_t>(i) * kDescriptorSize;
-    for (int row = 0; row < kSide; ++row) {
-      for (int col = 0; col < kSide; ++col) {
-        for (int angle = 0; angle < kAngles; ++angle) {
-          to[((kSide - 1 - row) * kSide + col) * kAngles + (kAngles - angle) % kAngles] =
-              from[(row * kSide + col) * kAngles + angle];
-        }
-      }
-    }
-  }
-  return mirrored;
-}
-
-std::vector<OddTie> TurnOverTheUpsideDown(std::span<const PanoFeatures> features,
-                                          std::span<const int> component_idx,
+std::vector<OddTie> TurnOverTheUpsideDown(std::span<const int> component_idx,
                                           const RegisterOptions& options, RunContext& context,
+                                          std::vector<PanoFeatures>& features,
                                           std::vector<Gravity>& gravity) {
   const std::vector<std::vector<int>> components = ViewsOfComponents(component_idx);
   std::vector<int> partners = components.front();
   std::vector<OddTie> ties;
   for (size_t k = 1; k < components.size(); ++k) {
     const std::vector<int>& views = components[k];
-    const auto turn_over = [&](size_t i) { return Trial{features[i], TurnedOver(gravity[i])}; };
+    const auto turn_over = [&](size_t i) { return TurnedOver(features[i], gravity[i]); };
     const auto tie = ClearestTie(features, gravity, views, partners, kClearUpsideDown, options,
                                  context, turn_over);
     if (tie) {
       ties.push_back(*tie);
       for (const int view : views) {
-        gravity[static_cast<size_t>(view)] = TurnedOver(gravity[static_cast<size_t>(view)]);
+        const size_t i = static_cast<size_t>(view);
+        PanoTrial turned = turn_over(i);
+        features[i] = std::move(turned.features);
+        gravity[i] = turned.gravity;
       }
     }
     partners.insert(partners.end(), views.begin(), views.end());
@@ -152,9 +164,7 @@ std::vector<OddTie> FindMirrored(std::span<const PanoFeatures> features,
   std::vector<OddTie> ties;
   for (size_t k = 1; k < components.size(); ++k) {
     const std::vector<int>& views = components[k];
-    const auto mirror = [&](size_t i) {
-      return Trial{Mirrored(features[i]), Mirrored(gravity[i])};
-    };
+    const auto mirror = [&](size_t i) { return Mirrored(features[i], gravity[i]); };
     if (IsSmall(views, components.front())) {
       const auto tie =
           ClearestTie(features, gravity, views, partners, kClearMirrored, options, context, mirror);

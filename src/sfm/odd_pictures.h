@@ -18,26 +18,29 @@ struct OddTie {
   double log10_chance = 0;
 };
 
-/// The vertical of a panorama that stands upside down: half a turn about its viewing direction.
-[[nodiscard]] Gravity TurnedOver(const Gravity& gravity);
+/// A panorama as it is compared.
+struct PanoTrial {
+  PanoFeatures features;
+  Gravity gravity;
+};
 
-/// What would be found in the mirrored picture (left and right exchanged). Exact for descriptors of
-/// SIFT: of its 4 × 4 × 8 values the rows across the feature's orientation and the angles are
-/// reversed (Guo et al., MIFT: A Mirror Reflection Invariant Feature Descriptor, ACCV 2009).
-[[nodiscard]] PanoFeatures Mirrored(const PanoFeatures& features);
-[[nodiscard]] Gravity Mirrored(const Gravity& gravity);
+/// What would be found if the panorama stood upside down: half a turn about its viewing direction.
+[[nodiscard]] PanoTrial TurnedOver(const PanoFeatures& features, const Gravity& gravity);
+
+/// What would be found in the mirrored picture (left and right exchanged).
+[[nodiscard]] PanoTrial Mirrored(const PanoFeatures& features, const Gravity& gravity);
 
 /// Finds panoramas that stand upside down beside the others: every component but the first is
 /// turned over and compared with those of lower index. Where a pair then agrees far better than
-/// chance allows (EstimatePair), the whole component is turned over in `gravity`, and the tie is
-/// returned: registration is to be done again.
+/// chance allows (EstimatePair), the whole component is turned over in `features` and `gravity`,
+/// and the tie is returned: registration is to be done again.
 ///
 /// Of two components of equal size the second is turned over, although it may be the first that
 /// stands upside down. Cost: matching of all panoramas outside the largest component with the rest.
-[[nodiscard]] std::vector<OddTie> TurnOverTheUpsideDown(std::span<const PanoFeatures> features,
-                                                        std::span<const int> component_idx,
+[[nodiscard]] std::vector<OddTie> TurnOverTheUpsideDown(std::span<const int> component_idx,
                                                         const RegisterOptions& options,
                                                         RunContext& context,
+                                                        std::vector<PanoFeatures>& features,
                                                         std::vector<Gravity>& gravity);
 
 /// Likewise panoramas, one a component, that agree with others once they are mirrored. Tried are

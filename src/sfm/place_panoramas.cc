@@ -172,7 +172,7 @@ Registration Register(const Scene& scene, const PlaceOptions& options, RunContex
   Registration registration =
       RegisterFeatures(seen.features, seen.gravity, options.registration, context, followed);
   const std::vector<OddTie> upside_down = TurnOverTheUpsideDown(
-      seen.features, registration.component_idx, options.registration, context, seen.gravity);
+      registration.component_idx, options.registration, context, seen.features, seen.gravity);
   if (!upside_down.empty()) {
     registration =
         RegisterFeatures(seen.features, seen.gravity, options.registration, context, followed);

@@ -13,6 +13,7 @@
 #include "enfilade/sfm/pair_length.h"
 #include "enfilade/sfm/positions.h"
 #include "enfilade/sfm/view_graph.h"
+#include "src/sfm/assemble.h"
 #include "src/sfm/guided_matches.h"
 #include "src/sfm/level_rays.h"
 #include "src/sfm/match_pairs.h"
@@ -24,23 +25,18 @@ using Eigen::Vector3d;
 
 // The pairs to match, with what is known of them beside the pictures' descriptors.
 std::vector<PairToMatch> ListPairs(std::span<const ViewPair> selected,
-                                   std::span<const Gravity> gravity,
                                    std::span<const PairMatches> followed) {
   std::map<ViewPair, std::vector<FeatureMatch>> matches;
   for (const ViewPair& pair : selected) matches[pair];
   for (const PairMatches& pair : followed) matches[{pair.a_idx, pair.b_idx}] = pair.matches;
   std::vector<PairToMatch> pairs;
   for (auto& [pair, known] : matches) {
-    pairs.push_back({pair.a_idx, pair.b_idx,
-                     HeadingDifference(gravity[static_cast<size_t>(pair.a_idx)],
-                                       gravity[static_cast<size_t>(pair.b_idx)]),
-                     std::move(known)});
+    pairs.push_back({pair.a_idx, pair.b_idx, {}, std::move(known)});
   }
   return pairs;
 }
 
 constexpr double kWeakLog10Chance = -10;
-constexpr double kBridgeLog10Chance = -6;
 
 // Lengths from floor and ceiling, then made to agree with each other.
 void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
@@ -58,21 +54,6 @@ void FindLengths(const LevelRays& level, std::vector<PanoPair>& pairs) {
   for (PanoPair& pair : pairs) {
     const bool is_weak = pair.log10_chance > kWeakLog10Chance && pair.length <= 0;
     if (pair.verdict == PairVerdict::kAccepted && is_weak) pair.verdict = PairVerdict::kChance;
-  }
-}
-
-// One weak pair must not tie together what nothing else does: of made homes such a pair was false.
-// Doors may tell better afterwards.
-void RefuseWeakBridges(int num_views, std::vector<PanoPair>& pairs) {
-  const auto num_components = [&] {
-    const std::vector<int> component_idx = FindComponents(num_views, pairs);
-    return *std::max_element(component_idx.begin(), component_idx.end());
-  };
-  const int before = num_components();
-  for (PanoPair& pair : pairs) {
-    if (pair.verdict != PairVerdict::kAccepted || pair.log10_chance <= kBridgeLog10Chance) continue;
-    pair.verdict = PairVerdict::kChance;
-    if (num_components() == before) pair.verdict = PairVerdict::kAccepted;
   }
 }
 
@@ -193,11 +174,11 @@ Registration RegisterFeatures(std::span<const PanoFeatures> features,
   Registration registration;
   const std::vector<ViewPair> selected =
       SelectPairs(features, options.selection, options.match, context);
-  registration.pairs = MatchPairs(ListPairs(selected, gravity, followed), features, level,
+  registration.pairs = MatchPairs(ListPairs(selected, followed), features, gravity, level,
                                   options.match, options.two_view, context);
-  const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
   FindLengths(level, registration.pairs);
-  RefuseWeakBridges(num_views, registration.pairs);
+  AssembleGroups(num_views, registration.pairs);
+  const std::vector<double> yaws = AverageYaws(num_views, registration.pairs);
   const std::vector<Eigen::Vector2d> positions = SolvePositions(yaws, registration.pairs);
   registration.component_idx = FindComponents(num_views, registration.pairs);
   for (size_t i = 0; i < features.size(); ++i) {

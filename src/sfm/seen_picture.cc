@@ -14,7 +14,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view kMagic = "enfilade seen 1\n";
+constexpr std::string_view kMagic = "enfilade seen 2\n";
 constexpr size_t kHashDigits = 64, kNameDigits = 16;
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 static_assert(sizeof(Eigen::Matrix<uint8_t, 3, 1>) == 3);
@@ -42,6 +42,7 @@ std::string Encode(const SeenPicture& seen) {
   Append(sizes, bytes);
   Append(seen.features.rays, bytes);
   Append(seen.features.sizes_rad, bytes);
+  Append(seen.features.walls, bytes);
   Append(seen.features.descriptors.values, bytes);
   Append(seen.colours, bytes);
   Append(seen.segments, bytes);
@@ -52,17 +53,19 @@ std::optional<SeenPicture> Decode(std::string_view bytes) {
   std::vector<uint32_t> sizes(2);
   if (!Take(bytes, sizes)) return std::nullopt;
   const size_t num_features = sizes[0], num_segments = sizes[1];
-  constexpr size_t kFeatureBytes = 3 * sizeof(float) + sizeof(float) + kDescriptorSize + 3;
+  constexpr size_t kFeatureBytes = 3 * sizeof(float) + sizeof(float) + 1 + kDescriptorSize + 3;
   if (bytes.size() != num_features * kFeatureBytes + num_segments * sizeof(LineSegment)) {
     return std::nullopt;
   }
   SeenPicture seen;
   seen.features.rays.resize(num_features);
   seen.features.sizes_rad.resize(num_features);
+  seen.features.walls.resize(num_features);
   seen.features.descriptors.values.resize(num_features * kDescriptorSize);
   seen.colours.resize(num_features);
   seen.segments.resize(num_segments);
   const bool is_whole = Take(bytes, seen.features.rays) && Take(bytes, seen.features.sizes_rad) &&
+                        Take(bytes, seen.features.walls) &&
                         Take(bytes, seen.features.descriptors.values) &&
                         Take(bytes, seen.colours) && Take(bytes, seen.segments);
   ENFILADE_CHECK(is_whole && bytes.empty());

@@ -5,11 +5,13 @@
 #include <optional>
 #include <utility>
 
+#include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/sfm/colmap_features.h"
 #include "src/sfm/component_heading.h"
 #include "src/sfm/pixel_of_ray.h"
 #include "src/sfm/seen_picture.h"
+#include "src/sfm/wall_matches.h"
 
 namespace enfilade {
 namespace {
@@ -26,6 +28,12 @@ std::vector<Rgb> ColoursOf(std::span<const Eigen::Vector3f> rays, const ImageU8&
   return colours;
 }
 
+Gravity GravityAndHeading(std::span<const LineSegment> segments, const View& view) {
+  Gravity gravity = FindGravityOfPicture(segments, view.told_up_in_cam);
+  gravity.heading_rad = FindHeading(LevelLines(segments, LevelFromCam(gravity)));
+  return gravity;
+}
+
 // What OpenCV sees of a panorama, from the file that a stopped run left where there is one.
 SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOptions& options,
                           const std::filesystem::path& folder, const std::string& program) {
@@ -35,28 +43,20 @@ SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOpt
   if (std::optional<SeenPicture> known = LoadSeenPicture(file, key)) return std::move(*known);
   const ImageU8 picture = ReadImageRgb(view.path);
   SeenPicture seen;
-  seen.features = ExtractFeatures(picture, trusted, view.camera, options);
-  seen.colours = ColoursOf(seen.features.rays, picture, view.camera);
   seen.segments = FindLineSegments(picture, trusted, view.camera);
+  const Gravity gravity = GravityAndHeading(seen.segments, view);
+  seen.features = ExtractFeatures(picture, trusted, view.camera, CamFromWalls(gravity), options);
+  seen.colours = ColoursOf(seen.features.rays, picture, view.camera);
   SaveSeenPicture(file, key, seen);
   return seen;
 }
 
-// What is wanted besides features that COLMAP has found.
-SeenPicture LookAtPicture(const View& view, const Stand& stand, PanoFeatures features) {
-  const ImageU8 picture = ReadImageRgb(view.path);
+// Likewise, but for the features, which COLMAP finds with what this tells.
+SeenPicture LookAtLines(const View& view, const Stand& stand) {
   SeenPicture seen;
-  seen.features = std::move(features);
-  seen.colours = ColoursOf(seen.features.rays, picture, view.camera);
-  seen.segments = FindLineSegments(picture, TrustedPixels(view, stand), view.camera);
+  seen.segments =
+      FindLineSegments(ReadImageRgb(view.path), TrustedPixels(view, stand), view.camera);
   return seen;
-}
-
-// What was followed becomes the last features, without descriptors.
-void AddFollowed(const View& view, std::span<const Eigen::Vector3f> rays, SeenPicture& seen) {
-  const std::vector<Rgb> colours = ColoursOf(rays, ReadImageRgb(view.path), view.camera);
-  seen.features.rays.insert(seen.features.rays.end(), rays.begin(), rays.end());
-  seen.colours.insert(seen.colours.end(), colours.begin(), colours.end());
 }
 
 }  // namespace
@@ -71,27 +71,39 @@ SeenPictures LookAtPictures(const Scene& scene, std::span<const Keyframe> keyfra
                     std::vector<Gravity>(num_views),
                     std::vector<std::vector<LineSegment>>(num_views)};
   const bool use_colmap = ChooseFeatureSource(features) == FeatureSource::kColmap;
-  if (use_colmap) {
-    seen.features = ExtractFeaturesWithColmap(scene.views, stand, features,
-                                              work_folder / "database.db", context);
-  }
+  const auto is_panorama = [&](size_t i) {
+    return scene.views[i].camera.model == CameraModel::kEquirectangular;
+  };
   ParallelFor(context, use_colmap ? "find lines" : "find features", static_cast<int64_t>(num_views),
               [&](int64_t k) {
                 const size_t i = static_cast<size_t>(k);
                 const View& view = scene.views[i];
-                if (view.camera.model != CameraModel::kEquirectangular) return;
-                SeenPicture picture =
-                    use_colmap
-                        ? LookAtPicture(view, stand, std::move(seen.features[i]))
-                        : LookAtPicture(view, stand, features, work_folder / "features", program);
-                if (!keyframes.empty()) AddFollowed(view, keyframes[i].rays, picture);
+                if (!is_panorama(i)) return;
+                SeenPicture picture = use_colmap ? LookAtLines(view, stand)
+                                                 : LookAtPicture(view, stand, features,
+                                                                 work_folder / "features", program);
+                seen.gravity[i] = GravityAndHeading(picture.segments, view);
                 seen.features[i] = std::move(picture.features);
                 seen.colours[i] = std::move(picture.colours);
                 seen.segments[i] = std::move(picture.segments);
-                seen.gravity[i] = FindGravityOfPicture(seen.segments[i], view.told_up_in_cam);
-                seen.gravity[i].heading_rad =
-                    FindHeading(LevelLines(seen.segments[i], LevelFromCam(seen.gravity[i])));
               });
+  if (use_colmap) {
+    std::vector<Eigen::Matrix3d> cam_from_walls;
+    for (const Gravity& gravity : seen.gravity) cam_from_walls.push_back(CamFromWalls(gravity));
+    seen.features = ExtractFeaturesWithColmap(scene.views, cam_from_walls, stand, features,
+                                              work_folder / "database.db", context);
+  }
+  if (use_colmap || !keyframes.empty()) {
+    ParallelFor(context, "find colours", static_cast<int64_t>(num_views), [&](int64_t k) {
+      const size_t i = static_cast<size_t>(k);
+      if (!is_panorama(i)) return;
+      // What was followed becomes the last features, without descriptors.
+      std::vector<Eigen::Vector3f>& rays = seen.features[i].rays;
+      if (!keyframes.empty())
+        rays.insert(rays.end(), keyframes[i].rays.begin(), keyframes[i].rays.end());
+      seen.colours[i] = ColoursOf(rays, ReadImageRgb(scene.views[i].path), scene.views[i].camera);
+    });
+  }
   return seen;
 }
 

@@ -20,16 +20,23 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 // A match: its rays and how much it counts.
 struct RayPair {
   Vector3d first, second;
   double weight = 1;
+  // At unit distance.
+  double first_log_size = kUnknown, second_log_size = kUnknown;
 };
 
 constexpr int kMinMatches = 8;
 // Matches count fully from this parallax on: those with less agree with many directions.
 constexpr double kFullParallax_rad = DegToRad(2);
 constexpr int kRefinements = 8;
+// Sizes tell the ratio of the distances from both cameras to this factor.
+const double kSizeTolerance = std::log(1.5);
+constexpr double kYawReach_rad = DegToRad(5);
 constexpr double kHeadingTolerance_rad = DegToRad(4);
 // What a match counts where the yaw is at odds with the walls.
 constexpr double kOffHeadingShare = 0.5;
@@ -37,10 +44,12 @@ constexpr int kShifts = 7;
 // Rotations alone are told to this angle; so many of the agreeing matches make it one place.
 constexpr double kOneSpot_rad = DegToRad(1.5);
 constexpr double kSamePlace_rad = DegToRad(3.0);
-constexpr double kSamePlaceShare = 0.8;
+constexpr double kSamePlaceShare = 0.8, kTurnedShare = 0.3;
 constexpr int kSamePlaceSectors = 5;
-constexpr double kFarParallax_rad = DegToRad(5);
-constexpr double kFarLog10Chance = -15;
+// Rays lower than this mostly end on the floor.
+constexpr double kFloorSlope = -0.3, kFloorWeight = 0.4;
+constexpr double kFarParallax_rad = DegToRad(8);
+constexpr double kFarLog10Chance = -25;
 
 double Parallax(const TwoViewGeometry& geometry, const RayPair& rays) {
   const Vector3d b = geometry.a_from_b * rays.second;
@@ -49,17 +58,27 @@ double Parallax(const TwoViewGeometry& geometry, const RayPair& rays) {
 
 bool Agrees(const TwoViewGeometry& geometry, const RayPair& rays, double bound_rad) {
   if (std::abs(EpipolarError(geometry, rays.first, rays.second)) > bound_rad) return false;
-  if (Parallax(geometry, rays) < bound_rad) return true;  // as far away as can be told
-  const PairDepths depths = TriangulateDepths(geometry, rays.first, rays.second);
-  return depths.a > 0 && depths.b > 0;
+  double depth_ratio = 1;
+  if (Parallax(geometry, rays) >= bound_rad) {  // less is as far away as can be told
+    const PairDepths depths = TriangulateDepths(geometry, rays.first, rays.second);
+    if (depths.a <= 0 || depths.b <= 0) return false;
+    depth_ratio = depths.b / depths.a;
+  }
+  const double larger = rays.second_log_size - rays.first_log_size + std::log(depth_ratio);
+  return !(std::abs(larger) > kSizeTolerance);  // true where sizes are unknown
 }
 
 double Weight(const TwoViewGeometry& geometry, const RayPair& rays) {
   return rays.weight * std::min(1.0, Parallax(geometry, rays) / kFullParallax_rad);
 }
 
-// Matches of one spot, from one feature at several scales or in several orientations, count as one:
-// if one of them is false, all are.
+double YawOf(const RayPair& rays) {
+  return std::atan2(rays.first.y(), rays.first.x()) - std::atan2(rays.second.y(), rays.second.x());
+}
+
+// Matches of one spot, from one feature at several scales or in several views, count as one: if one
+// of them is false, all are. Those of floors count less: where one joint of tiles or boards lies on
+// another, the others do so as well.
 void ShareWeights(std::vector<RayPair>& matches) {
   std::vector<int> num_near(matches.size(), 0);
   for (size_t i = 0; i < matches.size(); ++i) {
@@ -68,7 +87,34 @@ void ShareWeights(std::vector<RayPair>& matches) {
                      (matches[i].second - other.second).norm() < kOneSpot_rad;
     }
   }
-  for (size_t i = 0; i < matches.size(); ++i) matches[i].weight = 1.0 / num_near[i];
+  for (size_t i = 0; i < matches.size(); ++i) {
+    const bool is_low = std::min(matches[i].first.z(), matches[i].second.z()) < kFloorSlope;
+    matches[i].weight = (is_low ? kFloorWeight : 1.0) / num_near[i];
+  }
+}
+
+// Leaves out what a turn about the vertical alone explains, several matches alike: the landscape
+// behind windows, which looks the same from many rooms and says nothing about where they lie.
+std::vector<size_t> WithoutLandscape(std::span<const RayPair> matches) {
+  constexpr double kSame_rad = DegToRad(0.5);
+  constexpr double kHighest = 0.5;  // sine of the elevation
+  constexpr int kMinLandscape = 4;
+  std::vector<double> turns_rad;
+  for (const RayPair& rays : matches) {
+    const double climb = std::asin(rays.first.z()) - std::asin(rays.second.z());
+    const bool is_level = std::abs(climb) < kSame_rad && std::abs(rays.first.z()) < kHighest;
+    turns_rad.push_back(is_level ? YawOf(rays) : kUnknown);
+  }
+  std::vector<size_t> kept;
+  for (size_t i = 0; i < matches.size(); ++i) {
+    int num_alike = 0;
+    for (size_t k = 0; k < matches.size(); ++k) {
+      const bool is_apart = (matches[i].first - matches[k].first).norm() > kOneSpot_rad;
+      num_alike += is_apart && std::abs(WrapPi(turns_rad[i] - turns_rad[k])) < kSame_rad;
+    }
+    if (num_alike < kMinLandscape) kept.push_back(i);
+  }
+  return kept;
 }
 
 double Score(const TwoViewGeometry& geometry, std::span<const RayPair> matches, double bound_rad) {
@@ -156,6 +202,10 @@ TwoViewGeometry Refine(TwoViewGeometry geometry, std::span<const RayPair> matche
   return geometry;
 }
 
+RayPair Mismatch(const RayPair& a, const RayPair& b) {
+  return {a.first, b.second, 1, a.first_log_size, b.second_log_size};
+}
+
 // Share of mismatched rays that agree nevertheless: the k-th match's ray in a with others' in b.
 double ChanceOfOne(const TwoViewGeometry& geometry, std::span<const RayPair> matches,
                    double bound_rad) {
@@ -164,8 +214,7 @@ double ChanceOfOne(const TwoViewGeometry& geometry, std::span<const RayPair> mat
   for (size_t s = 1; s <= kShifts; ++s) {
     const size_t shift = s * n / (kShifts + 1) + 1;
     for (size_t i = 0; i < n; ++i) {
-      agreeing +=
-          Agrees(geometry, {matches[i].first, matches[(i + shift) % n].second, 1}, bound_rad);
+      agreeing += Agrees(geometry, Mismatch(matches[i], matches[(i + shift) % n]), bound_rad);
       total += 1;
     }
   }
@@ -174,17 +223,16 @@ double ChanceOfOne(const TwoViewGeometry& geometry, std::span<const RayPair> mat
 
 // log10 of P(at least k of n) for independent events of probability p (the first term of
 // Hoeffding's bound), times the number of hypotheses that were tried.
-double Log10Chance(double k, double n, double p) {
-  constexpr double kLog10Hypotheses = 4.8;  // 360 yaws · 180 directions
-  if (k <= n * p) return kLog10Hypotheses;
+double Log10Chance(double k, double n, double p, double log10_hypotheses) {
+  if (k <= n * p) return log10_hypotheses;
   const double q = k / n;
   double divergence = q * std::log(q / p);
   if (q < 1) divergence += (1 - q) * std::log((1 - q) / (1 - p));
-  return kLog10Hypotheses - n * divergence / std::log(10.0);
+  return log10_hypotheses - n * divergence / std::log(10.0);
 }
 
-double YawOf(const RayPair& rays) {
-  return std::atan2(rays.first.y(), rays.first.x()) - std::atan2(rays.second.y(), rays.second.x());
+bool IsTurned(const Matrix3d& rotation, const RayPair& rays) {
+  return (rays.first - rotation * rays.second).norm() < kSamePlace_rad;
 }
 
 // The yaw about which most matches agree without any parallax, and how many do.
@@ -196,14 +244,14 @@ std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
     const Matrix3d rotation = Eigen::AngleAxisd(yaw, Vector3d::UnitZ()).toRotationMatrix();
     double count = 0;
     for (const RayPair& rays : matches) {
-      count += (rays.first - rotation * rays.second).norm() < kSamePlace_rad;
+      count += IsTurned(rotation, rays);
     }
     if (count > best.second) best = {rotation, count};
   }
   std::vector<double> yaws;
   const double middle = std::atan2(best.first(1, 0), best.first(0, 0));
   for (const RayPair& rays : matches) {
-    if ((rays.first - best.first * rays.second).norm() >= kSamePlace_rad) continue;
+    if (!IsTurned(best.first, rays)) continue;
     yaws.push_back(WrapPi(YawOf(rays) - middle));
   }
   best.first = Eigen::AngleAxisd(middle + Median(yaws), Vector3d::UnitZ()).toRotationMatrix();
@@ -215,7 +263,7 @@ std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
 int NumSectors(const Matrix3d& rotation, std::span<const RayPair> matches) {
   std::array<int, 8> counts{};
   for (const RayPair& rays : matches) {
-    if ((rays.first - rotation * rays.second).norm() >= kSamePlace_rad) continue;
+    if (!IsTurned(rotation, rays)) continue;
     const double azimuth = std::atan2(rays.first.y(), rays.first.x());
     ++counts[static_cast<size_t>(std::min(7.0, (azimuth + kPi) / (2 * kPi) * 8))];
   }
@@ -236,14 +284,15 @@ bool FitsHeading(const TwoViewGeometry& geometry, std::optional<double> differen
 }
 
 Judged BestUpright(std::span<const RayPair> matches, const TwoViewOptions& options,
-                   std::optional<double> heading_difference_rad) {
+                   const PairHints& hints) {
   std::vector<UprightVote> votes;
   for (const RayPair& rays : matches) votes.push_back({rays.first, rays.second, rays.weight});
   Judged best;
-  for (const TwoViewGeometry& candidate : VoteUpright(votes)) {
+  const YawRange yaws = hints.yaw_rad ? YawRange{*hints.yaw_rad, kYawReach_rad} : YawRange{};
+  for (const TwoViewGeometry& candidate : VoteUpright(votes, yaws)) {
     const TwoViewGeometry refined = Refine(candidate, matches, options, true);
     double score = Score(refined, matches, DegToRad(options.inlier_deg));
-    if (!FitsHeading(refined, heading_difference_rad)) score *= kOffHeadingShare;
+    if (!FitsHeading(refined, hints.heading_difference_rad)) score *= kOffHeadingShare;
     if (score > best.score) best = {refined, score};
   }
   // A candidate that started far off may still be on its way and score a trifle more than those
@@ -279,37 +328,53 @@ PairDepths TriangulateDepths(const TwoViewGeometry& geometry, const Vector3d& ra
 
 PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
                       std::span<const Vector3d> level_rays_b, std::span<const FeatureMatch> matches,
-                      const TwoViewOptions& options, std::optional<double> heading_difference_rad) {
+                      const TwoViewOptions& options, const PairHints& hints) {
+  // 360 or, of each of the four that a heading allows, 11 yaws, with 180 directions.
+  constexpr double kLog10AnyYaw = 4.8, kLog10FourYaws = 3.9;
   PanoPair pair;
   pair.num_matches = static_cast<int>(matches.size());
   if (pair.num_matches < kMinMatches) return pair;
   std::vector<RayPair> rays;
   for (const FeatureMatch& match : matches) {
-    rays.push_back({level_rays_a[static_cast<size_t>(match.a_idx)],
-                    level_rays_b[static_cast<size_t>(match.b_idx)], 1});
+    const auto a = static_cast<size_t>(match.a_idx), b = static_cast<size_t>(match.b_idx);
+    RayPair pair_of_rays{level_rays_a[a], level_rays_b[b]};
+    if (a < hints.log_sizes_a.size() && b < hints.log_sizes_b.size()) {
+      pair_of_rays.first_log_size = hints.log_sizes_a[a];
+      pair_of_rays.second_log_size = hints.log_sizes_b[b];
+    }
+    rays.push_back(pair_of_rays);
   }
   ShareWeights(rays);
+  const std::vector<size_t> near_idx = WithoutLandscape(rays);
+  std::vector<RayPair> near;
+  for (const size_t i : near_idx) near.push_back(rays[i]);
   const double bound_rad = DegToRad(options.inlier_deg);
-  const Judged best = BestUpright(rays, options, heading_difference_rad);
+  const Judged best = BestUpright(near, options, hints);
   double num_spots = 0;
-  for (const RayPair& pair_of_rays : rays) num_spots += pair_of_rays.weight;
-  const double chance = ChanceOfOne(best.geometry, rays, bound_rad);
+  for (const RayPair& pair_of_rays : near) num_spots += pair_of_rays.weight;
+  const double chance = ChanceOfOne(best.geometry, near, bound_rad);
   pair.a_from_b = best.geometry.a_from_b;
   pair.direction = best.geometry.direction;
-  pair.log10_chance = Log10Chance(best.score, num_spots, chance);
+  pair.log10_chance =
+      Log10Chance(best.score, num_spots, chance, hints.yaw_rad ? kLog10FourYaws : kLog10AnyYaw);
   std::vector<double> parallaxes;
-  for (size_t i = 0; i < rays.size(); ++i) {
-    if (!Agrees(best.geometry, rays[i], bound_rad)) continue;
-    pair.inliers.push_back(matches[i]);
-    parallaxes.push_back(Parallax(best.geometry, rays[i]));
+  for (size_t k = 0; k < near.size(); ++k) {
+    if (!Agrees(best.geometry, near[k], bound_rad)) continue;
+    pair.inliers.push_back(matches[near_idx[k]]);
+    parallaxes.push_back(Parallax(best.geometry, near[k]));
   }
   pair.parallax_rad = Median(parallaxes);
   const auto [rotation, num_turned] = BestRotation(rays);
   const double num_inliers = static_cast<double>(pair.inliers.size());
   if (num_turned >= options.min_inliers && num_turned >= kSamePlaceShare * num_inliers &&
+      num_turned >= kTurnedShare * static_cast<double>(rays.size()) &&
       NumSectors(rotation, rays) >= kSamePlaceSectors) {
     pair.verdict = PairVerdict::kSamePlace;
     pair.a_from_b = rotation;
+    pair.inliers.clear();
+    for (size_t i = 0; i < rays.size(); ++i) {
+      if (IsTurned(rotation, rays[i])) pair.inliers.push_back(matches[i]);
+    }
   } else if (num_inliers < options.min_inliers) {
     pair.verdict = PairVerdict::kFewMatches;
   } else {

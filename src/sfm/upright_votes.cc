@@ -63,10 +63,12 @@ ImageF Smooth(const ImageF& votes) {
 
 }  // namespace
 
-std::vector<TwoViewGeometry> VoteUpright(std::span<const UprightVote> matches) {
+std::vector<TwoViewGeometry> VoteUpright(std::span<const UprightVote> matches,
+                                         const YawRange& yaws) {
   ImageF votes(kNumYaws, kNumDirections);
   for (int yaw_idx = 0; yaw_idx < kNumYaws; ++yaw_idx) {
     const double yaw = 2 * kPi * yaw_idx / kNumYaws;
+    if (std::abs(WrapPi(yaw - yaws.center_rad)) > yaws.reach_rad) continue;
     const double cosine = std::cos(yaw), sine = std::sin(yaw);
     for (const auto& [a, b, weight] : matches) {
       const Vector3d turned(cosine * b.x() - sine * b.y(), sine * b.x() + cosine * b.y(), b.z());

@@ -19,6 +19,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "src/sfm/colmap_database.h"
+#include "src/sfm/wall_matches.h"
 #include "tests/sfm/blob_panorama.h"
 #include "tests/sfm/fake_program.h"
 #include "tests/sfm/sql.h"
@@ -30,6 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Stand kStand{0.2, true};
+const Eigen::Matrix3d kCamFromWalls = CamFromWalls(Gravity{});
 
 class FeaturesOfColmap : public testing::Test {
  protected:
@@ -50,7 +52,8 @@ class FeaturesOfColmap : public testing::Test {
   }
   std::vector<PanoFeatures> Extract(const std::vector<View>& views, int num_threads = 2) {
     RunContext context(num_threads);
-    return ExtractFeaturesWithColmap(views, kStand, options_, database_, context);
+    const std::vector<Eigen::Matrix3d> walls(views.size(), kCamFromWalls);
+    return ExtractFeaturesWithColmap(views, walls, kStand, options_, database_, context);
   }
   [[nodiscard]] fs::path LogFile() const { return database_.parent_path() / "database.log"; }
   [[nodiscard]] fs::path ViewFolder() const { return database_.parent_path() / "database_views"; }
@@ -74,8 +77,8 @@ double AngleInDeg(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 TEST_F(FeaturesOfColmap, AgreeWithThoseOfOpenCv) {
   const View view = MakeView(1, 512);
   const PanoFeatures colmap = Extract({view})[0];
-  const PanoFeatures opencv =
-      ExtractFeatures(ReadImageGray(view.path), TrustedPixels(view, kStand), view.camera, options_);
+  const PanoFeatures opencv = ExtractFeatures(ReadImageGray(view.path), TrustedPixels(view, kStand),
+                                              view.camera, kCamFromWalls, options_);
   ASSERT_GT(opencv.size(), 300);
   EXPECT_NEAR(colmap.size(), opencv.size(), 0.2 * opencv.size());
 
@@ -167,7 +170,7 @@ TEST_F(FeaturesOfColmap, OfPlainWallsAreNone) {
 TEST_F(FeaturesOfColmap, AreNotExtractedTwice) {
   const View a = MakeView(1), b = MakeView(2);
   const std::vector<PanoFeatures> first = Extract({a});
-  EXPECT_THAT(ReadFile(LogFile()), testing::HasSubstr("Processed file [8/8]"));
+  EXPECT_THAT(ReadFile(LogFile()), testing::HasSubstr("Processed file [6/6]"));
   WriteFileAtomic(LogFile(), "untouched");
   options_.colmap_program = "/absent/colmap";  // nobody asks for it
   ExpectSame(Extract({a})[0], first[0]);
@@ -176,8 +179,8 @@ TEST_F(FeaturesOfColmap, AreNotExtractedTwice) {
   // What is new is added, with the camera that is there.
   options_.colmap_program.clear();
   ExpectSame(Extract({a, b})[0], first[0]);
-  EXPECT_THAT(ReadFile(LogFile()), testing::HasSubstr("Processed file [8/8]"));
-  EXPECT_EQ(ColmapDatabase(database_).PicturesWithFeatures().size(), 16U);
+  EXPECT_THAT(ReadFile(LogFile()), testing::HasSubstr("Processed file [6/6]"));
+  EXPECT_EQ(ColmapDatabase(database_).PicturesWithFeatures().size(), 12U);
   EXPECT_EQ(RunSql(database_, "SELECT count(*) FROM cameras"), 1);
 }
 
@@ -191,7 +194,7 @@ TEST_F(FeaturesOfColmap, OfOtherSettingsOrPicturesAreNotBelieved) {
   view.sha256 = Sha256OfFile(view.path);
   EXPECT_NE(Extract({view})[0].rays, strong.rays);
   // Both settings and both pictures lie side by side.
-  EXPECT_EQ(ColmapDatabase(database_).PicturesWithFeatures().size(), 24U);
+  EXPECT_EQ(ColmapDatabase(database_).PicturesWithFeatures().size(), 18U);
 }
 
 TEST_F(FeaturesOfColmap, OfARunThatBrokeOffAreUsed) {
@@ -208,7 +211,7 @@ kill -9 $$)");
   EXPECT_FALSE(fs::exists(ViewFolder()));
   options_.colmap_program.clear();
   const std::vector<PanoFeatures> resumed = Extract(views);
-  EXPECT_THAT(ReadFile(LogFile()), testing::HasSubstr("Processed file [13/13]"));
+  EXPECT_THAT(ReadFile(LogFile()), testing::HasSubstr("Processed file [9/9]"));
   for (size_t i = 0; i < views.size(); ++i) ExpectSame(resumed[i], expected[i]);
 }
 
@@ -245,10 +248,10 @@ TEST_F(FeaturesOfColmap, ReportTheirProgress) {
   RunContext context(1);
   const auto progress = std::make_shared<SeenProgress>();
   context.set_progress_sink(progress);
-  (void)ExtractFeaturesWithColmap(std::vector<View>{MakeView(1)}, kStand, options_, database_,
-                                  context);
+  (void)ExtractFeaturesWithColmap(std::vector<View>{MakeView(1)}, std::vector{kCamFromWalls},
+                                  kStand, options_, database_, context);
   ASSERT_FALSE(progress->seen.empty());
-  EXPECT_EQ(progress->seen.back(), std::make_pair(int64_t{8}, int64_t{8}));
+  EXPECT_EQ(progress->seen.back(), std::make_pair(int64_t{6}, int64_t{6}));
   EXPECT_TRUE(std::is_sorted(progress->seen.begin(), progress->seen.end()));
 }
 
@@ -286,8 +289,8 @@ TEST(FeaturesWithoutColmap, WantTheProgramWhereNothingIsKnown) {
   FeatureOptions options;
   options.colmap_program = folder / "colmap";
   RunContext context;
-  EXPECT_THROW((void)ExtractFeaturesWithColmap(std::vector<View>{view}, kStand, options,
-                                               folder / "database.db", context),
+  EXPECT_THROW((void)ExtractFeaturesWithColmap(std::vector<View>{view}, std::vector{kCamFromWalls},
+                                               kStand, options, folder / "database.db", context),
                DependencyError);
   EXPECT_FALSE(fs::exists(folder / "database.db"));
 }

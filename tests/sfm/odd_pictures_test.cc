@@ -11,6 +11,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/features.h"
+#include "src/sfm/wall_matches.h"
 #include "tests/sfm/blob_panorama.h"
 #include "tests/sfm/pose_errors.h"
 #include "tests/sfm/registration_scene.h"
@@ -40,6 +41,9 @@ void Turn(size_t view, RegistrationScene& scene) {
   scene.world_from_cam[view].rotation *= half_turn.cast<double>().asDiagonal();
   Vector3d& up = scene.gravity[view].up_in_cam;
   up = Vector3d(1, 1, -1).cwiseProduct(up);
+  // Its descriptors are upright in the picture as it is.
+  scene.features[view].descriptors =
+      TurnedOver(scene.features[view], scene.gravity[view]).features.descriptors;
 }
 
 Registration Register(const RegistrationScene& scene, RunContext& context) {
@@ -54,7 +58,7 @@ TEST(TurnOverTheUpsideDown, RegistersThemAsTheyStand) {
     const Registration before = Register(scene, context);
     for (const size_t view : turned) EXPECT_NE(before.component_idx[view], 0);
     const std::vector<OddTie> ties =
-        TurnOverTheUpsideDown(scene.features, before.component_idx, {}, context, scene.gravity);
+        TurnOverTheUpsideDown(before.component_idx, {}, context, scene.features, scene.gravity);
     ASSERT_FALSE(ties.empty());
     EXPECT_EQ(before.component_idx[static_cast<size_t>(ties.front().partner_idx)], 0);
     const Registration after = Register(scene, context);
@@ -74,7 +78,7 @@ TEST(TurnOverTheUpsideDown, LeavesAnotherHomeAlone) {
   const Registration registration = Register(scene, context);
   EXPECT_THAT(registration.component_idx, ElementsAre(0, 0, 0, 0, 1));
   EXPECT_THAT(
-      TurnOverTheUpsideDown(scene.features, registration.component_idx, {}, context, scene.gravity),
+      TurnOverTheUpsideDown(registration.component_idx, {}, context, scene.features, scene.gravity),
       IsEmpty());
   EXPECT_THAT(FindMirrored(scene.features, scene.gravity, registration.component_idx, {}, context),
               IsEmpty());
@@ -83,12 +87,13 @@ TEST(TurnOverTheUpsideDown, LeavesAnotherHomeAlone) {
 TEST(FindMirrored, NamesThePicture) {
   RunContext context(2);
   RegistrationScene scene = MakeRoom(3);
-  scene.features[2] = Mirrored(scene.features[2]);
-  scene.gravity[2] = Mirrored(scene.gravity[2]);
+  const PanoTrial mirrored = Mirrored(scene.features[2], scene.gravity[2]);
+  scene.features[2] = mirrored.features;
+  scene.gravity[2] = mirrored.gravity;
   const Registration registration = Register(scene, context);
   EXPECT_THAT(registration.component_idx, ElementsAre(0, 0, 1, 0, 0));
   EXPECT_THAT(
-      TurnOverTheUpsideDown(scene.features, registration.component_idx, {}, context, scene.gravity),
+      TurnOverTheUpsideDown(registration.component_idx, {}, context, scene.features, scene.gravity),
       IsEmpty());
   const std::vector<OddTie> ties =
       FindMirrored(scene.features, scene.gravity, registration.component_idx, {}, context);
@@ -111,6 +116,35 @@ TEST(FindCopies, NamesBothPictures) {
               IsEmpty());
 }
 
+// A panorama and what is found in it when the walls have a heading.
+struct Looked {
+  Gravity gravity;
+  PanoFeatures features;
+};
+
+Looked Look(const ImageU8& panorama, double heading_rad) {
+  const ImageU8 trusted(panorama.rows(), panorama.cols(), 1, 255);
+  Looked looked;
+  looked.gravity.heading_rad = heading_rad;
+  looked.features =
+      ExtractFeatures(panorama, trusted, EquirectangularCamera(panorama.cols(), panorama.rows()),
+                      CamFromWalls(looked.gravity), {});
+  return looked;
+}
+
+// Features of the same views at the same places, with like descriptors.
+void ExpectFound(const PanoFeatures& expected, const PanoFeatures& found) {
+  const auto matches = MatchWalls(expected, found, 0, {});
+  EXPECT_GT(static_cast<int>(matches.size()), found.size() / 2);
+  double num_right = 0;
+  for (const FeatureMatch& match : matches) {
+    num_right += (expected.rays[static_cast<size_t>(match.a_idx)] -
+                  found.rays[static_cast<size_t>(match.b_idx)])
+                     .norm() < 0.01;
+  }
+  EXPECT_GT(num_right, 0.95 * static_cast<double>(matches.size()));
+}
+
 // Against features that are found in the mirrored picture.
 TEST(Mirrored, IsWhatTheMirroredPictureShows) {
   constexpr int kRows = 512;
@@ -119,22 +153,29 @@ TEST(Mirrored, IsWhatTheMirroredPictureShows) {
   for (int r = 0; r < kRows; ++r) {
     for (int c = 0; c < 2 * kRows; ++c) flipped(r, c) = panorama(r, 2 * kRows - 1 - c);
   }
-  const ImageU8 trusted(kRows, 2 * kRows, 1, 255);
-  const Camera camera = EquirectangularCamera(2 * kRows, kRows);
-  const PanoFeatures mirrored = Mirrored(ExtractFeatures(panorama, trusted, camera, {}));
-  const PanoFeatures found = ExtractFeatures(flipped, trusted, camera, {});
-  const auto matches = MatchDescriptors(mirrored.descriptors, found.descriptors, {});
-  EXPECT_GT(static_cast<int>(matches.size()), found.size() / 2);
-  double num_right = 0;
-  for (const FeatureMatch& match : matches) {
-    num_right += (mirrored.rays[static_cast<size_t>(match.a_idx)] -
-                  found.rays[static_cast<size_t>(match.b_idx)])
-                     .norm() < 0.01;
+  for (const double heading_rad : {0.0, 0.3, -0.7}) {
+    const Looked looked = Look(panorama, heading_rad);
+    const PanoTrial mirrored = Mirrored(looked.features, looked.gravity);
+    ExpectFound(mirrored.features, Look(flipped, *mirrored.gravity.heading_rad).features);
+    // Twice mirrored is as before.
+    const PanoTrial twice = Mirrored(mirrored.features, mirrored.gravity);
+    EXPECT_EQ(twice.features.descriptors.values, looked.features.descriptors.values);
+    EXPECT_EQ(twice.features.walls, looked.features.walls);
   }
-  EXPECT_GT(num_right, 0.95 * static_cast<double>(matches.size()));
-  // Twice mirrored is as before.
-  EXPECT_EQ(Mirrored(mirrored).descriptors.values,
-            ExtractFeatures(panorama, trusted, camera, {}).descriptors.values);
+}
+
+// Against features that are found when the vertical is known to be the other way.
+TEST(TurnedOver, IsWhatIsFoundUpsideDown) {
+  constexpr int kRows = 512;
+  const ImageU8 panorama = BlobPanorama(kRows, 6);
+  const ImageU8 trusted(kRows, 2 * kRows, 1, 255);
+  for (const double heading_rad : {0.0, 0.3, -0.7}) {
+    const Looked looked = Look(panorama, heading_rad);
+    const PanoTrial turned = TurnedOver(looked.features, looked.gravity);
+    ExpectFound(turned.features,
+                ExtractFeatures(panorama, trusted, EquirectangularCamera(2 * kRows, kRows),
+                                CamFromWalls(turned.gravity), {}));
+  }
 }
 
 }  // namespace

@@ -132,6 +132,9 @@ std::vector<SeenFeature> Look(const RegistrationScene& scene, const Rigid3& pose
     const Vector3d ray = is_false ? dice.Direction() : Jittered(to_point, options.noise_rad, dice);
     seen.push_back(Describe(is_false ? -1 : static_cast<int>(i), ray,
                             descriptors.row(static_cast<int>(i)), dice));
+    // Of a size in the world, 3 to 9 cm.
+    const double size = 0.03 + 0.06 * std::fmod(0.618 * static_cast<double>(i), 1.0);
+    seen.back().size_rad = static_cast<float>(size / (pose.Inverse() * scene.points[i]).norm());
   }
   const int num_lone =
       static_cast<int>(std::lround(options.lone_share * static_cast<double>(seen.size())));

@@ -26,6 +26,7 @@ SeenPicture MakeSeen(int num_features, int num_segments) {
     const float x = static_cast<float>(i);
     seen.features.rays.emplace_back(std::sin(x), 0.0F, std::cos(x));
     seen.features.sizes_rad.push_back(1 / (1 + x));
+    seen.features.walls.push_back(static_cast<uint8_t>(i % 6));
     seen.colours.emplace_back(static_cast<uint8_t>(i), static_cast<uint8_t>(2 * i), uint8_t{7});
   }
   for (int i = 0; i < num_segments; ++i) {
@@ -37,6 +38,7 @@ SeenPicture MakeSeen(int num_features, int num_segments) {
 void ExpectSame(const SeenPicture& x, const SeenPicture& y) {
   EXPECT_EQ(x.features.rays, y.features.rays);
   EXPECT_EQ(x.features.sizes_rad, y.features.sizes_rad);
+  EXPECT_EQ(x.features.walls, y.features.walls);
   EXPECT_EQ(x.features.descriptors.values, y.features.descriptors.values);
   EXPECT_EQ(x.colours, y.colours);
   ASSERT_EQ(x.segments.size(), y.segments.size());

@@ -25,7 +25,8 @@ namespace enfilade {
 [[nodiscard]] FeatureSource ChooseFeatureSource(const FeatureOptions& options);
 
 /// The features of panoramas, as of ExtractFeatures but found by COLMAP's SIFT (on the processor;
-/// made with COLMAP 3.8): one a view, in the order of `panoramas`.
+/// made with COLMAP 3.8): one a view, in the order of `panoramas`; `pano_from_walls` has one a view
+/// too.
 ///
 /// The virtual views that are not in `database` yet are rendered in grey into a folder beside it
 /// (`<stem>_views`, removed at the end unless options.keep_colmap_views) and given to
@@ -33,8 +34,8 @@ namespace enfilade {
 /// `<stem>.log`. All views of panoramas of one size share one PINHOLE camera. The database stays:
 /// COLMAP opens it, and a later call, or one after a run that was killed, lets COLMAP work on
 /// nothing twice. What it holds is found by names that are made of the panorama's hash
-/// (View::sha256) and of the settings that decide the features, so what it holds of other pictures
-/// or from other settings is never taken for what is wanted.
+/// (View::sha256), of its walls' frame and of the settings that decide the features, so what it
+/// holds of other pictures or from other settings is never taken for what is wanted.
 ///
 /// The panoramas are equirectangular. Pixels that TrustedPixels(view, stand) holds out have no
 /// features. The same result for any number of threads. When the context is asked to stop, COLMAP
@@ -45,7 +46,8 @@ namespace enfilade {
 /// InvalidInputError for pictures or masks that are broken or of the wrong size, and for a
 /// database that is broken; IoError when files cannot be read or written; StoppedError.
 [[nodiscard]] std::vector<PanoFeatures> ExtractFeaturesWithColmap(
-    std::span<const View> panoramas, const Stand& stand, const FeatureOptions& options,
-    const std::filesystem::path& database, RunContext& context);
+    std::span<const View> panoramas, std::span<const Eigen::Matrix3d> pano_from_walls,
+    const Stand& stand, const FeatureOptions& options, const std::filesystem::path& database,
+    RunContext& context);
 
 }  // namespace enfilade

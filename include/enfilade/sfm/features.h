@@ -19,7 +19,7 @@ enum class FeatureSource { kAuto, kColmap, kOpenCv };
 
 struct FeatureOptions {
   FeatureSource source = FeatureSource::kOpenCv;
-  int max_features = 7000;
+  int max_features = 10000;
   double min_contrast = 0.004;
   std::string colmap_program;
   bool keep_colmap_views = false;
@@ -36,16 +36,19 @@ struct FeatureOptions {
   }
 };
 
-/// SIFT features (Lowe 2004) of a panorama, found in its virtual views (eight upright ones round
-/// the horizon, up to 45° above and below it) with OpenCV, described as RootSIFT (Arandjelović and
-/// Zisserman, CVPR 2012): square roots of the components of the L1-normalised descriptor, times
-/// 256, cut at 127.
+/// SIFT features (Lowe 2004) of a panorama, found with OpenCV in six virtual views along the walls
+/// of its room (MakeWallViews), upright, described as RootSIFT (Arandjelović and Zisserman, CVPR
+/// 2012): square roots of the components of the L1-normalised descriptor, times 256, cut at 127.
+/// The views overlap, so what lies between two walls may be held twice.
 ///
+/// `pano_from_walls` turns into the camera frame a frame with z up and the walls along its axes.
 /// `panorama` is rows × 2·rows × 3 or × 1 of the size that `camera` (equirectangular) tells;
 /// `trusted` (rows × 2·rows, 0 = ignore) holds out the camera's stand and what the user masked.
 /// Features are ordered by size, then by direction: the same bytes for any number of threads. Uses
 /// the calling thread.
 [[nodiscard]] PanoFeatures ExtractFeatures(const ImageU8& panorama, const ImageU8& trusted,
-                                           const Camera& camera, const FeatureOptions& options);
+                                           const Camera& camera,
+                                           const Eigen::Matrix3d& pano_from_walls,
+                                           const FeatureOptions& options);
 
 }  // namespace enfilade

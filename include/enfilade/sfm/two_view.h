@@ -17,7 +17,7 @@ struct TwoViewOptions {
   double tilt_sigma_deg = 0.3;
   double climb_sigma_deg = 3.0;
   int min_inliers = 8;
-  double max_log10_chance = -4.0;
+  double max_log10_chance = -6.0;
 
   void Visit(OptionVisitor& v) {
     v("inlier_deg", inlier_deg,
@@ -56,6 +56,17 @@ struct PairDepths {
                                            const Eigen::Vector3d& ray_a,
                                            const Eigen::Vector3d& ray_b);
 
+/// What is known of a pair of panoramas beside the rays of its matches.
+struct PairHints {
+  /// Yaw of b in a's level frame modulo 90°, as the walls tell it.
+  std::optional<double> heading_difference_rad;
+  /// The yaw itself, to some degrees: no other is tried.
+  std::optional<double> yaw_rad;
+  /// Logarithms of the sizes that the features of a and b would have at unit distance, up to a
+  /// constant; empty: unknown.
+  std::span<const double> log_sizes_a, log_sizes_b;
+};
+
 /// The relative pose of two panoramas from matched features, all rays in level frames.
 ///
 /// Upright model: for every yaw on a grid each match votes for the level directions of the baseline
@@ -68,13 +79,12 @@ struct PairDepths {
 /// measured on shifted matches). When a rotation alone explains the matches the verdict is
 /// kSamePlace.
 ///
-/// `heading_difference_rad`, where known, is the yaw of b in a's level frame modulo 90° as the
-/// walls tell it: a yaw more than 4° off it needs far stronger evidence. Fills all of PanoPair but
-/// length and length_sigma. Cost: O(matches · yaws).
+/// A yaw more than 4° off the heading difference of the hints, if known, needs far stronger
+/// evidence. Where sizes are known, those of a match have to be as its distances (within a factor
+/// of 1.5). Fills all of PanoPair but length and length_sigma. Cost: O(matches · yaws).
 [[nodiscard]] PanoPair EstimatePair(std::span<const Eigen::Vector3d> level_rays_a,
                                     std::span<const Eigen::Vector3d> level_rays_b,
                                     std::span<const FeatureMatch> matches,
-                                    const TwoViewOptions& options,
-                                    std::optional<double> heading_difference_rad = std::nullopt);
+                                    const TwoViewOptions& options, const PairHints& hints = {});
 
 }  // namespace enfilade

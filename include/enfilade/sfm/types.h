@@ -15,12 +15,13 @@
 
 namespace enfilade {
 
-/// The point features of one panorama, pooled over its virtual views; no feature is held twice.
-/// The first m ≤ n have descriptors; the others were followed through a film.
+/// The point features of one panorama, pooled over its virtual views (ExtractFeatures). The first m
+/// ≤ n have descriptors; the others were followed through a film.
 struct PanoFeatures {
   std::vector<Eigen::Vector3f> rays;  ///< n unit rays in the camera frame
   std::vector<float> sizes_rad;       ///< m diameters, largest first
-  DescriptorSet descriptors;          ///< m × 128
+  std::vector<uint8_t> walls;         ///< m wall views that show them (0 … 5), or none: not told
+  DescriptorSet descriptors;          ///< m × 128, upright
 
   [[nodiscard]] int size() const { return static_cast<int>(rays.size()); }
 };
