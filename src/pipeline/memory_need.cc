@@ -44,15 +44,15 @@ double LeastMemoryMb(const Scene& scene, int num_threads) {
          1e-6 * kPixelBytes * LargestPixels(scene) * NumDecoded(scene, num_threads);
 }
 
-// Measured: 32 pictures of 2048 pixels with two threads take 271 MB, 163 MB where their features
-// are read from files. Finding features, each thread holds a picture and the scale space of a view;
+// Measured: two pictures of 2048 pixels take 502 MB with one thread and 898 MB with two. Finding
+// features, each thread holds a picture and the scale space of a view;
 // afterwards each feature has a level ray and a place in the search for tracks, and each picture
 // about a thousand rays in the refinement.
 double LeastSfmMemoryMb(const Scene& scene, const FeatureOptions& options, int num_threads) {
   if (scene.pose_source != PoseSource::kEstimated) return kBase_mb;
-  constexpr double kFeatureBytes = 12 + 4 + 128 + 3;  // ray, size, descriptor, colour
+  constexpr double kFeatureBytes = 12 + 4 + 1 + 128 + 3;  // ray, size, view, descriptor, colour
   constexpr double kPlacedFeatureBytes = kFeatureBytes + 24 + 52;
-  constexpr double kPixelBytes = 35;
+  constexpr double kPixelBytes = 190;
   constexpr double kRefinement_mb = 0.7;
   const double num_views = static_cast<double>(scene.views.size());
   const double num_features = num_views * options.max_features;
