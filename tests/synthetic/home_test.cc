@@ -271,7 +271,30 @@ struct FittingShares {
   }
 };
 
+// Passages between rooms with cameras, and how many of them have one that stands there.
+struct PassageCounts {
+  int all = 0, with_camera = 0;
+
+  void Add(const Home& home) {
+    const auto is_closet = [&](int room_id) {
+      return home.RoomById(room_id).use == RoomUse::kCloset;
+    };
+    for (const HomeOpening& opening : home.openings) {
+      if (!opening.IsPassable() || is_closet(opening.room_id) || is_closet(*opening.other_room_id))
+        continue;
+      const Eigen::Vector2d middle =
+          0.5 * (opening.a + opening.b) + 0.5 * opening.thickness_m * opening.IntoWall();
+      ++all;
+      with_camera +=
+          std::any_of(home.cameras.begin(), home.cameras.end(), [&](const HomeCamera& camera) {
+            return (camera.home_from_cam.translation.head<2>() - middle).norm() < 0.85;
+          });
+    }
+  }
+};
+
 TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
+  PassageCounts passages;
   int num_l_or_u = 0, num_furnished = 0, num_rooms = 0, num_free = 0, num_crowns = 0;
   size_t num_cameras = 0;
   FittingShares fittings;
@@ -281,6 +304,7 @@ TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
     ASSERT_NO_FATAL_FAILURE(ExpectSoundPlan(home));
     ExpectPromisedTour(home);
     ExpectTourCameras(home);
+    passages.Add(home);
     fittings.Add(home);
     num_cameras += home.cameras.size();
     num_rooms += static_cast<int>(home.rooms.size());
@@ -298,6 +322,7 @@ TEST(MakeHome, ToursHoldWhatThePresetPromisesOver1000Seeds) {
   const double cameras_a_room = static_cast<double>(num_cameras) / fittings.rooms;
   EXPECT_GE(cameras_a_room, 1.85);
   EXPECT_LE(cameras_a_room, 2.1);
+  EXPECT_GE(passages.with_camera, 0.99 * passages.all);
   fittings.ExpectPromised();
 }
 
