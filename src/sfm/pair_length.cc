@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 constexpr double kRaySigma_rad = DegToRad(0.2);
 constexpr double kMinParallax_rad = DegToRad(1);
 constexpr double kMinElevation_rad = DegToRad(4);
+constexpr double kOneSpot_rad = DegToRad(1.5);
 constexpr double kMinSigma = 0.03;  // floors are not that level, cameras not that equally high
 constexpr double kMaxSigma = 0.25;
 // A point that would lie beyond its plane counts this much against a length.
@@ -37,7 +38,8 @@ struct ScoredLength {
 
 double ScoreOf(const LengthVote& vote, double log_length) {
   const double x = (log_length - vote.log_length) / vote.sigma;
-  return std::exp(-0.5 * x * x) - kBeyondCost * std::clamp((x - 2) / 2, 0.0, 1.0);
+  const double score = std::exp(-0.5 * x * x) - kBeyondCost * std::clamp((x - 2) / 2, 0.0, 1.0);
+  return vote.weight * score;
 }
 
 // Scores of the votes from above or from below at the lengths kLogStep apart from `first` on.
@@ -71,6 +73,7 @@ std::vector<LengthVote> CollectLengthVotes(const PanoPair& pair,
                                            std::span<const Vector3d> level_rays_a,
                                            std::span<const Vector3d> level_rays_b) {
   std::vector<LengthVote> votes;
+  std::vector<Vector3d> directions;
   const TwoViewGeometry geometry{pair.a_from_b, pair.direction};
   for (const FeatureMatch& match : pair.inliers) {
     const Vector3d& a = level_rays_a[static_cast<size_t>(match.a_idx)];
@@ -84,6 +87,13 @@ std::vector<LengthVote> CollectLengthVotes(const PanoPair& pair,
                                                     1 / std::tan(std::asin(std::abs(a.z()))));
     if (sigma > kMaxSigma) continue;
     votes.push_back({-std::log(std::abs(height)), std::max(sigma, kMinSigma), height > 0});
+    directions.push_back(a);
+  }
+  for (size_t i = 0; i < votes.size(); ++i) {
+    const auto num_near =
+        std::count_if(directions.begin(), directions.end(),
+                      [&](const Vector3d& d) { return (d - directions[i]).norm() < kOneSpot_rad; });
+    votes[i].weight = 1.0 / static_cast<double>(num_near);
   }
   return votes;
 }
@@ -123,7 +133,7 @@ void SetLength(std::span<const LengthVote> votes, double ceiling, PanoPair& pair
     if (vote.is_above && ceiling <= 0) continue;
     const double at = vote.log_length + (vote.is_above ? std::log(ceiling) : 0);
     const double x = (best.log_length - at) / vote.sigma;
-    information += std::exp(-0.5 * x * x) / (vote.sigma * vote.sigma);
+    information += vote.weight * std::exp(-0.5 * x * x) / (vote.sigma * vote.sigma);
   }
   pair.length = std::exp(best.log_length);
   pair.length_sigma = std::max(kMinSigma, 1 / std::sqrt(information));

@@ -99,6 +99,18 @@ TEST(CollectLengthVotes, PointsAtTheHorizonHaveNone) {
   for (const std::vector<LengthVote>& votes : room.Votes()) EXPECT_THAT(votes, IsEmpty());
 }
 
+// What a mirror shows lies below the floor: many features of one thing there are one vote.
+TEST(CollectLengthVotes, OneSpotIsOneVote) {
+  MadeRoom room(0, 1);
+  room.Keep([](const Vector3d& point) { return point.z() == 0; });
+  const FeatureMatch first = room.pairs[0].inliers.front();
+  room.pairs[0].inliers = std::vector<FeatureMatch>(8, first);
+  const std::vector<std::vector<LengthVote>> votes = room.Votes();
+  double sum = 0;
+  for (const LengthVote& vote : votes[0]) sum += vote.weight;
+  EXPECT_NEAR(sum, 1, 1e-12);
+}
+
 TEST(FindCeiling, IsTheHeightAboveTheCameras) {
   for (uint32_t seed = 1; seed <= 2; ++seed) {
     const MadeRoom room(DegToRad(0.1), seed, 200);

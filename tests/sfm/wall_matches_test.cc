@@ -173,8 +173,7 @@ TEST(MatchPair, DoesNotTakeWhatHasTheWrongSize) {
       PairVerdict::kAccepted);
 }
 
-TEST(MakeWallViews, SeeAPlaneAlikeFromEverywhere) {
-  // A wall's point is where the view's plane says: x and y over the distance of the wall.
+TEST(MakeWallViews, OverlapInCorners) {
   const Camera pano = EquirectangularCamera(2048, 1024);
   const ViewRing views = MakeWallViews(pano, Matrix3d::Identity());
   ASSERT_EQ(views.pano_from_view.size(), static_cast<size_t>(kNumWallViews));
@@ -182,7 +181,7 @@ TEST(MakeWallViews, SeeAPlaneAlikeFromEverywhere) {
   int num_owners = 0;
   const Vector3d ray = Vector3d(1, 0.9, -0.2).normalized();
   for (int k = 0; k < kNumWallViews; ++k) num_owners += views.Owns(k, ray) ? 1 : 0;
-  EXPECT_EQ(num_owners, 2);  // corners belong to both walls
+  EXPECT_EQ(num_owners, 2);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct LengthVote {
   double log_length = 0;  ///< at which the point lies on its plane, camera heights
   double sigma = 0;       ///< of log_length
   bool is_above = false;  ///< a vote through the ceiling; log_length then lacks log(ceiling)
+  double weight = 1;      ///< matches of one spot count as one
 };
 
 /// The votes of the agreeing matches of an accepted pair. Points near the horizon or with less than
