@@ -108,9 +108,9 @@ void MatchGuided(std::span<const PanoFeatures> features, std::span<const Gravity
     PanoPair& pair = *pairs[static_cast<size_t>(k)];
     const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
     const Rigid3 &pose_a = registration.world_from_cam[a], &pose_b = registration.world_from_cam[b];
-    PanoPair placed_pair = pair;
-    SetGeometry(pose_a, pose_b, gravity[a], gravity[b], placed_pair);
-    const int turn = TurnOfYaw(gravity[a], gravity[b], placed_pair.Yaw_rad());
+    PanoPair standing;
+    SetGeometry(pose_a, pose_b, gravity[a], gravity[b], standing);
+    const int turn = TurnOfYaw(gravity[a], gravity[b], standing.Yaw_rad());
     const std::vector<FeatureMatch> matches =
         YawOfTurn(features[a], gravity[a], features[b], gravity[b], turn)
             ? MatchWalls(features[a], features[b], turn, loose)

@@ -94,11 +94,8 @@ void Move(const Eigen::Matrix3d& moved_from_level, const Gravity& before, PanoTr
     trial.gravity.heading_rad = moved_heading;
   }
   PanoFeatures& features = trial.features;
-  std::array<MovedView, kNumWallViews> moved;
-  for (int k = 0; k < kNumWallViews; ++k) {
-    moved[static_cast<size_t>(k)] =
-        MoveView(k, RotationZ(-moved_heading) * moved_from_level * RotationZ(heading));
-  }
+  const std::array<MovedView, kNumWallViews> moved =
+      MoveViews(RotationZ(-moved_heading) * moved_from_level * RotationZ(heading));
   std::vector<uint8_t> values;
   for (int i = 0; i < features.descriptors.size(); ++i) {
     // Where views are not told, descriptors still are upright.

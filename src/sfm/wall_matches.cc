@@ -24,9 +24,7 @@ struct WallDescriptors {
 // By views of the frame that `moved_from_frame` makes of the features' own.
 std::array<WallDescriptors, kNumWallViews> DivideByWalls(const PanoFeatures& features,
                                                          const Eigen::Matrix3d& moved_from_frame) {
-  std::array<MovedView, kNumWallViews> moved;
-  for (int k = 0; k < kNumWallViews; ++k)
-    moved[static_cast<size_t>(k)] = MoveView(k, moved_from_frame);
+  const std::array<MovedView, kNumWallViews> moved = MoveViews(moved_from_frame);
   std::array<WallDescriptors, kNumWallViews> walls;
   for (int i = 0; i < features.descriptors.size(); ++i) {
     const MovedView& to = moved[features.walls[static_cast<size_t>(i)]];
@@ -86,13 +84,13 @@ std::vector<double> LogSizes(const PanoFeatures& features,
                              std::span<const Eigen::Vector3d> level_rays, const Gravity& gravity) {
   std::vector<double> log_sizes;
   const bool is_head_on = KnowsWalls(features, gravity);
+  std::array<Eigen::Vector3d, kNumWallViews> axes;
+  for (size_t k = 0; k < axes.size(); ++k) {
+    axes[k] =
+        RotationZ(gravity.heading_rad.value_or(0)) * WallViewFrame(static_cast<int>(k)).col(2);
+  }
   for (size_t i = 0; i < features.sizes_rad.size(); ++i) {
-    double cosine = 1;
-    if (is_head_on) {
-      const Eigen::Vector3d axis =
-          RotationZ(*gravity.heading_rad) * WallViewFrame(features.walls[i]).col(2);
-      cosine = axis.dot(level_rays[i]);
-    }
+    const double cosine = is_head_on ? axes[features.walls[i]].dot(level_rays[i]) : 1;
     log_sizes.push_back(std::log(features.sizes_rad[i] / cosine));
   }
   return log_sizes;

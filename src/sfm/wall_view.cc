@@ -55,4 +55,12 @@ MovedView MoveView(int view, const Matrix3d& moved_from_frame) {
   return moved;
 }
 
+std::array<MovedView, kNumWallViews> MoveViews(const Matrix3d& moved_from_frame) {
+  std::array<MovedView, kNumWallViews> moved;
+  for (size_t k = 0; k < moved.size(); ++k) {
+    moved[k] = MoveView(static_cast<int>(k), moved_from_frame);
+  }
+  return moved;
+}
+
 }  // namespace enfilade

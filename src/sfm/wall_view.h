@@ -28,5 +28,8 @@ struct MovedView {
 };
 /// `moved_from_frame` maps axes to axes.
 [[nodiscard]] MovedView MoveView(int view, const Eigen::Matrix3d& moved_from_frame);
+/// MoveView of all views.
+[[nodiscard]] std::array<MovedView, kNumWallViews> MoveViews(
+    const Eigen::Matrix3d& moved_from_frame);
 
 }  // namespace enfilade
