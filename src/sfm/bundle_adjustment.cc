@@ -22,6 +22,8 @@ using Eigen::Vector3d;
 // Points this many standard deviations from a level plane may belong to it.
 constexpr double kPlaneReach = 5;
 constexpr double kFixedSigma = 1e-5;
+// Cameras this many standard deviations from the common height count half.
+constexpr double kHeightReach = 2.0;
 // Walls within this of the common heading are drawn to it: others may stand aslant.
 constexpr double kSameHeading_rad = DegToRad(1.5);
 
@@ -221,7 +223,7 @@ class Bundle {
       AddVertical(gravity[i], {0, 0}, blocks_[i]);
       problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<HeightResidual, 1, 6>(
                                     new HeightResidual{options_.camera_height_sigma}),
-                                new ceres::CauchyLoss(2.0), blocks_[i].data());
+                                new ceres::CauchyLoss(kHeightReach), blocks_[i].data());
       if (is_anchored) continue;
       is_anchored = true;
       const Rigid3& pose = world_from_cam_[i];
@@ -292,6 +294,37 @@ class Bundle {
           new ceres::CauchyLoss(2.0), blocks_[i].data());
       AddVertical(gravity[i], lean, blocks_[i]);
     }
+  }
+
+  // Makes the cameras' mean height one again, those far from most counting less. Errors of points
+  // on level planes shrink with everything, which holds cameras below their height the more, the
+  // more points there are: thousands stand against a dozen cameras.
+  void ScaleToCameraHeight(LevelPlanes& planes) {
+    std::vector<double> heights;
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (is_used_[i]) heights.push_back(world_from_cam_[i].translation.z());
+    }
+    if (heights.empty()) return;
+    const double middle = Median(heights);
+    double weight = 0, sum = 0;
+    for (const double height : heights) {
+      const double apart = (height - middle) / (kHeightReach * options_.camera_height_sigma);
+      const double own = 1 / (1 + apart * apart);
+      weight += own;
+      sum += own * height;
+    }
+    const double scale = weight / sum;
+    const auto first = std::find(is_used_.begin(), is_used_.end(), true) - is_used_.begin();
+    Vector3d fixed = world_from_cam_[static_cast<size_t>(first)].translation;
+    fixed.z() = planes.floor;
+    const auto scaled = [&](const Vector3d& at) -> Vector3d {
+      return fixed + scale * (at - fixed);
+    };
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+      if (is_used_[i]) world_from_cam_[i].translation = scaled(world_from_cam_[i].translation);
+    }
+    for (Track& track : tracks_) track.position = scaled(track.position);
+    for (double& ceiling : planes.ceilings) ceiling = planes.floor + scale * (ceiling - planes.floor);
   }
 
   double Solve() {
@@ -369,7 +402,9 @@ double AdjustBundle(std::span<const PanoFeatures> features, std::span<const Grav
   bundle.AddCameraPriors(gravity);
   bundle.AddWalls(gravity);
   bundle.AddPlanes(planes);
-  return bundle.Solve();
+  const double error_rad = bundle.Solve();
+  bundle.ScaleToCameraHeight(planes);
+  return error_rad;
 }
 
 double AdjustGivenPoses(std::span<const PanoFeatures> features, std::span<const Rigid3> given,

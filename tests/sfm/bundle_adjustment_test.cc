@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "enfilade/geometry/angles.h"
@@ -203,8 +204,32 @@ TEST(AdjustBundle, RefinesCeilings) {
   bundle.planes.ceilings = {1.73, 2.4};  // nothing lies on the second
   bundle.Adjust();
   EXPECT_NEAR(bundle.planes.ceilings[0], 1.7, 1e-4);
-  EXPECT_EQ(bundle.planes.ceilings[1], 2.4);
+  EXPECT_NEAR(bundle.planes.ceilings[1], 2.4, 1e-4);
   EXPECT_EQ(bundle.planes.floor, 0);
+}
+
+// A rough floor under six cameras: its points would lie nearer to their plane if all were smaller.
+TEST(AdjustBundle, ErrorsOfManyPointsDoNotShrinkTheScene) {
+  MadeBundle bundle({.num_points_per_room = 4000});
+  std::mt19937 random(1);
+  std::normal_distribution<float> bump(0, 0.006F);
+  for (Track& track : bundle.tracks) {
+    if (std::abs(track.position.z()) > 1e-6) continue;
+    track.position.z() = bump(random);
+    for (const Observation& seen : track.observations) {
+      const Rigid3& pose = bundle.poses[static_cast<size_t>(seen.view_idx)];
+      bundle.scene.features[static_cast<size_t>(seen.view_idx)]
+          .rays[static_cast<size_t>(seen.feature_idx)] =
+          (pose.rotation.transpose() * (track.position - pose.translation))
+              .normalized()
+              .cast<float>();
+    }
+  }
+  bundle.Adjust();
+  const auto apart = [](std::span<const Rigid3> poses) {
+    return (poses.front().translation - poses.back().translation).norm();
+  };
+  EXPECT_NEAR(apart(bundle.poses) / apart(bundle.scene.world_from_cam), 1, 5e-4);
 }
 
 TEST(AdjustBundle, LeavesViewsWithoutObservations) {
