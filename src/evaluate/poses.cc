@@ -71,11 +71,6 @@ std::vector<PointPair> InPlan(const std::vector<PosePair>& pairs) {
   return points;
 }
 
-// The turn about z in a rotation: its twist.
-double YawOf(const Matrix3d& rotation) {
-  return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
-}
-
 Matrix3d TruthFromCameraRotation(const PosePair& pair) {
   return pair.truth_from_cam->rotation * pair.camera->world_from_cam.rotation.transpose();
 }

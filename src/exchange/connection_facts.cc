@@ -96,9 +96,7 @@ std::vector<ComponentFact> DescribeComponents(const Scene& scene, std::vector<Vi
 double LevelYaw(const View& view) {
   Gravity gravity;
   gravity.up_in_cam = view.world_from_cam.rotation.transpose() * Vector3d::UnitZ();
-  const Eigen::Matrix3d world_from_level =
-      view.world_from_cam.rotation * LevelFromCam(gravity).transpose();
-  return std::atan2(world_from_level(1, 0), world_from_level(0, 0));
+  return YawOf(view.world_from_cam.rotation * LevelFromCam(gravity).transpose());
 }
 
 // How far the scene is from what the pair tells.

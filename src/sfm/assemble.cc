@@ -76,8 +76,7 @@ double Digits(const PanoPair& pair) { return std::max(0.0, -pair.log10_chance); 
 
 // Whether a pair tells the pose of its b in a's frame.
 bool Agrees(const PanoPair& pair, const Rigid3& a_from_b) {
-  const double yaw = std::atan2(a_from_b.rotation(1, 0), a_from_b.rotation(0, 0));
-  if (std::abs(WrapPi(pair.Yaw_rad() - yaw)) > kMaxTurn_rad) return false;
+  if (std::abs(WrapPi(pair.Yaw_rad() - YawOf(a_from_b.rotation))) > kMaxTurn_rad) return false;
   const Eigen::Vector2d apart = a_from_b.translation.head<2>();
   const Eigen::Vector2d told = pair.direction.head<2>().normalized();
   if (pair.length > 0) {

@@ -47,8 +47,6 @@ Matrix3d WorldFromLevel(const Rigid3& pose, const Gravity& gravity) {
   return pose.rotation * LevelFromCam(gravity).transpose();
 }
 
-double YawOf(const Matrix3d& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
-
 std::vector<PairToMatch> ListNearPairs(const Scene& scene, std::span<const Gravity> gravity,
                                        double max_distance_m) {
   std::vector<PairToMatch> pairs;

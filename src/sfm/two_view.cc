@@ -11,6 +11,8 @@
 #include <optional>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/rigid3.h"
+#include "src/sfm/landscape.h"
 #include "src/sfm/median.h"
 #include "src/sfm/upright_votes.h"
 
@@ -72,7 +74,7 @@ double Weight(const TwoViewGeometry& geometry, const RayPair& rays) {
   return rays.weight * std::min(1.0, Parallax(geometry, rays) / kFullParallax_rad);
 }
 
-double YawOf(const RayPair& rays) {
+double TurnOf(const RayPair& rays) {
   return std::atan2(rays.first.y(), rays.first.x()) - std::atan2(rays.second.y(), rays.second.x());
 }
 
@@ -91,30 +93,6 @@ void ShareWeights(std::vector<RayPair>& matches) {
     const bool is_low = std::min(matches[i].first.z(), matches[i].second.z()) < kFloorSlope;
     matches[i].weight = (is_low ? kFloorWeight : 1.0) / num_near[i];
   }
-}
-
-// Leaves out what a turn about the vertical alone explains, several matches alike: the landscape
-// behind windows, which looks the same from many rooms and says nothing about where they lie.
-std::vector<size_t> WithoutLandscape(std::span<const RayPair> matches) {
-  constexpr double kSame_rad = DegToRad(0.5);
-  constexpr double kHighest = 0.5;  // sine of the elevation
-  constexpr int kMinLandscape = 4;
-  std::vector<double> turns_rad;
-  for (const RayPair& rays : matches) {
-    const double climb = std::asin(rays.first.z()) - std::asin(rays.second.z());
-    const bool is_level = std::abs(climb) < kSame_rad && std::abs(rays.first.z()) < kHighest;
-    turns_rad.push_back(is_level ? YawOf(rays) : kUnknown);
-  }
-  std::vector<size_t> kept;
-  for (size_t i = 0; i < matches.size(); ++i) {
-    int num_alike = 0;
-    for (size_t k = 0; k < matches.size(); ++k) {
-      const bool is_apart = (matches[i].first - matches[k].first).norm() > kOneSpot_rad;
-      num_alike += is_apart && std::abs(WrapPi(turns_rad[i] - turns_rad[k])) < kSame_rad;
-    }
-    if (num_alike < kMinLandscape) kept.push_back(i);
-  }
-  return kept;
 }
 
 double Score(const TwoViewGeometry& geometry, std::span<const RayPair> matches, double bound_rad) {
@@ -239,9 +217,7 @@ bool IsTurned(const Matrix3d& rotation, const RayPair& rays) {
 std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
   std::pair<Matrix3d, double> best{Matrix3d::Identity(), 0};
   for (const RayPair& seed : matches) {
-    const double yaw =
-        std::atan2(seed.first.y(), seed.first.x()) - std::atan2(seed.second.y(), seed.second.x());
-    const Matrix3d rotation = Eigen::AngleAxisd(yaw, Vector3d::UnitZ()).toRotationMatrix();
+    const Matrix3d rotation = RotationZ(TurnOf(seed));
     double count = 0;
     for (const RayPair& rays : matches) {
       count += IsTurned(rotation, rays);
@@ -249,12 +225,12 @@ std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
     if (count > best.second) best = {rotation, count};
   }
   std::vector<double> yaws;
-  const double middle = std::atan2(best.first(1, 0), best.first(0, 0));
+  const double middle = YawOf(best.first);
   for (const RayPair& rays : matches) {
     if (!IsTurned(best.first, rays)) continue;
-    yaws.push_back(WrapPi(YawOf(rays) - middle));
+    yaws.push_back(WrapPi(TurnOf(rays) - middle));
   }
-  best.first = Eigen::AngleAxisd(middle + Median(yaws), Vector3d::UnitZ()).toRotationMatrix();
+  best.first = RotationZ(middle + Median(yaws));
   return best;
 }
 
@@ -279,8 +255,7 @@ struct Judged {
 // Whether the walls of both panoramas can be parallel or square.
 bool FitsHeading(const TwoViewGeometry& geometry, std::optional<double> difference_rad) {
   if (!difference_rad) return true;
-  const double yaw = std::atan2(geometry.a_from_b(1, 0), geometry.a_from_b(0, 0));
-  return std::abs(WrapQuarter(yaw - *difference_rad)) < kHeadingTolerance_rad;
+  return std::abs(WrapQuarter(YawOf(geometry.a_from_b) - *difference_rad)) < kHeadingTolerance_rad;
 }
 
 Judged BestUpright(std::span<const RayPair> matches, const TwoViewOptions& options,
@@ -335,6 +310,7 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
   pair.num_matches = static_cast<int>(matches.size());
   if (pair.num_matches < kMinMatches) return pair;
   std::vector<RayPair> rays;
+  std::vector<Vector3d> rays_a, rays_b;
   for (const FeatureMatch& match : matches) {
     const auto a = static_cast<size_t>(match.a_idx), b = static_cast<size_t>(match.b_idx);
     RayPair pair_of_rays{level_rays_a[a], level_rays_b[b]};
@@ -343,9 +319,11 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
       pair_of_rays.second_log_size = hints.log_sizes_b[b];
     }
     rays.push_back(pair_of_rays);
+    rays_a.push_back(pair_of_rays.first);
+    rays_b.push_back(pair_of_rays.second);
   }
   ShareWeights(rays);
-  const std::vector<size_t> near_idx = WithoutLandscape(rays);
+  const std::vector<size_t> near_idx = WithoutLandscape(rays_a, rays_b);
   std::vector<RayPair> near;
   for (const size_t i : near_idx) near.push_back(rays[i]);
   const double bound_rad = DegToRad(options.inlier_deg);

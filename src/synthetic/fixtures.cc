@@ -94,8 +94,7 @@ Structure FixtureStructure(const Home& home, const ProfileNoise& noise) {
   ENFILADE_CHECK(noise.num_columns > 0 && noise.spread_relative > 0 && !home.rooms.empty());
   Structure structure;
   structure.home_from_world = home.home_from_world;
-  const Eigen::Matrix3d world_from_home = home.home_from_world.rotation.transpose();
-  structure.heading_rad = std::atan2(world_from_home(1, 0), world_from_home(0, 0));
+  structure.heading_rad = YawOf(home.home_from_world.rotation.transpose());
   structure.bin_m = MakeBins(noise);
   std::vector<PlanSegments> segments;
   for (int i = 0; i < home.NumStoreys(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace enfilade {
 
@@ -28,6 +29,11 @@ struct Rigid3 {
     return m;
   }
 };
+
+/// The turn about +z in a rotation, radians in (−π, π]: its twist (swing-twist decomposition).
+[[nodiscard]] inline double YawOf(const Eigen::Matrix3d& rotation) {
+  return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
+}
 
 /// Rotation about +z by `rad`, counter-clockwise seen from above.
 [[nodiscard]] inline Eigen::Matrix3d RotationZ(double rad) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "enfilade/geometry/rigid3.h"
 #include "enfilade/sfm/descriptor_matcher.h"
 
 namespace enfilade {
@@ -66,7 +66,7 @@ struct PanoPair {
   double length = 0;                   ///< of the baseline in camera heights, 0 = unknown
   double length_sigma = 0;             ///< of log(length)
 
-  [[nodiscard]] double Yaw_rad() const { return std::atan2(a_from_b(1, 0), a_from_b(0, 0)); }
+  [[nodiscard]] double Yaw_rad() const { return YawOf(a_from_b); }
 };
 
 }  // namespace enfilade
