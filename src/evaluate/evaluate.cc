@@ -3,8 +3,10 @@
 #include "enfilade/evaluate/evaluate.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
@@ -12,6 +14,7 @@
 #include "enfilade/evaluate/doors.h"
 #include "enfilade/evaluate/judged_plan.h"
 #include "enfilade/evaluate/picture_matching.h"
+#include "enfilade/evaluate/poses.h"
 #include "enfilade/evaluate/regions.h"
 #include "enfilade/evaluate/report.h"
 #include "enfilade/evaluate/rooms.h"
@@ -132,50 +135,61 @@ void AddModelError(const ModelErrorFigures& model, MetricReport& figures) {
   figures["normal_median_deg"] = model.normal_median_deg;
 }
 
+// The true rooms without those that only cameras of other components stand in.
+JudgedPlan RoomsOf(int component_idx, std::span<const JudgedCamera> cameras,
+                   const GroundTruth& truth, std::span<const int> truth_idx,
+                   const JudgedPlan& truth_plan) {
+  JudgedPlan part;
+  for (const JudgedRoom& room : truth_plan.rooms) {
+    bool is_own = false, is_others = false;
+    for (size_t i = 0; i < cameras.size(); ++i) {
+      if (truth_idx[i] < 0) continue;
+      const TruthView& view = truth.views[static_cast<size_t>(truth_idx[i])];
+      if (!view.world_from_cam) continue;
+      const Eigen::Vector2d at = view.world_from_cam->translation.head<2>();
+      const bool is_inside =
+          std::any_of(room.region.begin(), room.region.end(),
+                      [&](const Polygon2& polygon) { return Contains(polygon, at); });
+      if (is_inside) (cameras[i].component_idx == component_idx ? is_own : is_others) = true;
+    }
+    if (is_own || !is_others) part.rooms.push_back(room);
+  }
+  return part;
+}
+
 // With poses in several components, which lie anyhow to each other: the storeys of the largest one
-// against the true rooms in which its cameras stand.
-void EvaluateLargestPart(const Floorplan& floorplan, const JudgedPlan& truth_plan,
-                         MetricReport& figures) {
-  std::map<int, int> size_of;
-  for (const PlanCamera& camera : floorplan.cameras) ++size_of[camera.component_idx];
-  if (size_of.size() < 2) return;
-  const int largest = std::max_element(size_of.begin(), size_of.end(), [](auto& a, auto& b) {
-                        return a.second < b.second;
-                      })->first;
+// against what is not the others'.
+void EvaluateLargestPart(const Floorplan& floorplan, std::span<const JudgedCamera> cameras,
+                         const GroundTruth& truth, std::span<const int> truth_idx,
+                         const JudgedPlan& truth_plan, MetricReport& figures) {
+  const std::optional<int> largest = LargestComponent(cameras);
+  const bool is_all = std::all_of(cameras.begin(), cameras.end(), [&](const JudgedCamera& camera) {
+    return camera.component_idx == largest;
+  });
+  if (!largest || is_all) return;
   std::set<int> storeys;
-  std::vector<Eigen::Vector2d> positions;
   for (const PlanCamera& camera : floorplan.cameras) {
-    if (camera.component_idx != largest) continue;
-    storeys.insert(camera.storey_idx);
-    positions.push_back(camera.world_from_cam.translation.head<2>());
+    if (camera.component_idx == *largest) storeys.insert(camera.storey_idx);
   }
   Floorplan part = floorplan;
   for (size_t i = 0; i < part.storeys.size(); ++i) {
     if (!storeys.contains(static_cast<int>(i))) part.storeys[i] = Storey{};
   }
-  JudgedPlan truth_part;
-  for (const JudgedRoom& room : truth_plan.rooms) {
-    const bool is_entered =
-        std::any_of(positions.begin(), positions.end(), [&](const Eigen::Vector2d& p) {
-          return std::any_of(room.region.begin(), room.region.end(),
-                             [&](const Polygon2& polygon) { return Contains(polygon, p); });
-        });
-    if (is_entered) truth_part.rooms.push_back(room);
-  }
-  if (truth_part.rooms.empty()) return;
-  const RegionFigures regions = EvaluateRegions(JudgedPlanOf(part), truth_part);
+  const RegionFigures regions =
+      EvaluateRegions(JudgedPlanOf(part), RoomsOf(*largest, cameras, truth, truth_idx, truth_plan));
   figures["area_iou_net_largest"] = regions.iou_net;
   figures["area_iou_gross_largest"] = regions.iou_gross;
 }
 
-void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricReport& figures) {
+void EvaluatePlan(const Floorplan& floorplan, std::span<const JudgedCamera> cameras,
+                  const GroundTruth& truth, std::span<const int> truth_idx, MetricReport& figures) {
   const JudgedPlan result_plan = JudgedPlanOf(floorplan);
   const JudgedPlan truth_plan = JudgedPlanOf(truth);
   if (Area(NetRegion(truth_plan)) > 0) {
     AddRegions(EvaluateRegions(result_plan, truth_plan), figures);
     AddRooms(EvaluateRooms(result_plan, truth_plan), figures);
     AddStructured3d(EvaluateStructured3d(result_plan, truth_plan), figures);
-    EvaluateLargestPart(floorplan, truth_plan, figures);
+    EvaluateLargestPart(floorplan, cameras, truth, truth_idx, truth_plan, figures);
   }
   AddWalls(EvaluateWalls(result_plan, truth_plan), figures);
   AddDoors(EvaluateDoors(result_plan, truth_plan), figures);
@@ -190,9 +204,9 @@ void EvaluatePlan(const Floorplan& floorplan, const GroundTruth& truth, MetricRe
 void EvaluateMoved(const EvaluationInput& input, const GroundTruth& truth,
                    const std::vector<int>& truth_idx, const EvaluateOptions& options,
                    EvaluationReport& report, RunContext& context) {
-  report.poses = EvaluatePoses(
-      input.scene != nullptr ? JudgedCameras(*input.scene) : JudgedCameras(*input.floorplan), truth,
-      truth_idx);
+  const std::vector<JudgedCamera> cameras =
+      input.scene != nullptr ? JudgedCameras(*input.scene) : JudgedCameras(*input.floorplan);
+  report.poses = EvaluatePoses(cameras, truth, truth_idx);
   if (report.poses) AddPoses(*report.poses, report.figures);
   if (input.structure != nullptr) {
     report.columns =
@@ -203,7 +217,9 @@ void EvaluateMoved(const EvaluationInput& input, const GroundTruth& truth,
     report.figures["label_iou_mean"] = report.labels.iou_mean;
   }
   context.CheckStop();
-  if (input.floorplan != nullptr) EvaluatePlan(*input.floorplan, truth, report.figures);
+  if (input.floorplan != nullptr) {
+    EvaluatePlan(*input.floorplan, cameras, truth, truth_idx, report.figures);
+  }
   if (input.model != nullptr) {
     report.model_error = EvaluateModel(*input.model, *input.floorplan, truth, truth_idx,
                                        options.model_error, input.model_error_sink, context);

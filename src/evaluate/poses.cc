@@ -42,18 +42,6 @@ std::vector<PosePair> PairPoses(std::span<const JudgedCamera> cameras, const Gro
   return pairs;
 }
 
-// None when every camera is inferred.
-std::optional<int> LargestComponent(std::span<const JudgedCamera> cameras) {
-  std::map<int, int> size_of_component;
-  for (const JudgedCamera& camera : cameras) {
-    if (!camera.is_inferred) ++size_of_component[camera.component_idx];
-  }
-  const auto largest =
-      std::max_element(size_of_component.begin(), size_of_component.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  return largest != size_of_component.end() ? std::optional(largest->first) : std::nullopt;
-}
-
 // The pairs whose camera image evidence puts into the largest component.
 std::vector<PosePair> PairsOfLargest(std::span<const JudgedCamera> cameras,
                                      const std::vector<PosePair>& pairs) {
@@ -117,6 +105,17 @@ PoseError ErrorOf(const PosePair& pair) {
 }
 
 }  // namespace
+
+std::optional<int> LargestComponent(std::span<const JudgedCamera> cameras) {
+  std::map<int, int> size_of_component;
+  for (const JudgedCamera& camera : cameras) {
+    if (!camera.is_inferred) ++size_of_component[camera.component_idx];
+  }
+  const auto largest =
+      std::max_element(size_of_component.begin(), size_of_component.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return largest != size_of_component.end() ? std::optional(largest->first) : std::nullopt;
+}
 
 std::vector<JudgedCamera> JudgedCameras(const Scene& scene) {
   std::vector<JudgedCamera> cameras;

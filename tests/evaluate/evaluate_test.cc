@@ -32,6 +32,22 @@ TEST(Evaluate, JudgesTheLargestComponentAlone) {
   EXPECT_NEAR(*report.figures.at("area_iou_gross_largest"), 1, 1e-9);
 }
 
+// Room 1 has no camera and is in the plan: as right as with poses for all.
+TEST(Evaluate, RoomsThatNobodyEnteredBelongToTheLargestComponent) {
+  SmallHome home = MakeSmallHome();
+  Storey apart;
+  apart.rooms.push_back(home.plan.storeys[0].rooms.back());
+  home.plan.storeys[0].rooms.pop_back();
+  home.plan.storeys.push_back(apart);
+  home.plan.cameras[2].component_idx = home.scene.views[2].component_idx = 1;
+  home.plan.cameras[2].storey_idx = home.scene.views[2].storey_idx = 1;
+  home.plan.cameras[1] = home.plan.cameras[0];
+  home.scene.views[1].world_from_cam = home.scene.views[0].world_from_cam;
+  home.truth.views[1].world_from_cam = home.truth.views[0].world_from_cam;
+  const EvaluationReport report = Judge({&home.scene, nullptr, &home.plan}, home.truth);
+  EXPECT_NEAR(report.figures.at("area_iou_gross_largest").value_or(0), 1, 1e-9);
+}
+
 TEST(Evaluate, TruthAgainstItselfIsPerfect) {
   const SmallHome home = MakeSmallHome();
   const EvaluationReport report = Judge({&home.scene, &home.structure, &home.plan}, home.truth);

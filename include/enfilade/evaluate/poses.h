@@ -23,11 +23,15 @@ struct JudgedCamera {
 [[nodiscard]] std::vector<JudgedCamera> JudgedCameras(const Scene& scene);
 [[nodiscard]] std::vector<JudgedCamera> JudgedCameras(const Floorplan& floorplan);
 
+/// The component with most cameras that are not inferred (ties: the lowest index); none when all
+/// are.
+[[nodiscard]] std::optional<int> LargestComponent(std::span<const JudgedCamera> cameras);
+
 /// truth_from_world for poses that were estimated: a turn about z and a shift in the plan, fitted
-/// robustly to the positions of the cameras of the largest component (the one with most cameras
-/// that are not inferred; ties: the lowest index) that have a true pose, without scale and never
-/// from the plan; and the shift in height that is the median of those within 0.5 m. Where these
-/// cameras stand in one place, the turn is the mean of theirs. The identity when there is none.
+/// robustly to the positions of the cameras of the largest component (LargestComponent) that have a
+/// true pose, without scale and never from the plan; and the shift in height that is the median of
+/// those within 0.5 m. Where these cameras stand in one place, the turn is the mean of theirs. The
+/// identity when there is none.
 ///
 /// `truth_idx` gives the truth view of each camera, −1 for none (MatchPictures). Cost
 /// O(min(n², 20 000) · n).
