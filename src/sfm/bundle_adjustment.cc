@@ -324,7 +324,8 @@ class Bundle {
       if (is_used_[i]) world_from_cam_[i].translation = scaled(world_from_cam_[i].translation);
     }
     for (Track& track : tracks_) track.position = scaled(track.position);
-    for (double& ceiling : planes.ceilings) ceiling = planes.floor + scale * (ceiling - planes.floor);
+    for (double& ceiling : planes.ceilings)
+      ceiling = planes.floor + scale * (ceiling - planes.floor);
   }
 
   double Solve() {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,12 @@ struct RoomView {
   const RoomOutline* outline = nullptr;
 };
 
-/// A feature of a panorama: unit ray in the component's frame, distance of the own room's surface.
+/// A feature of a panorama.
 struct RoomRay {
-  Eigen::Vector3d ray{0, 0, 1};
-  double surface_m = 0;
+  Eigen::Vector3d ray{0, 0, 1};  ///< unit, in the component's frame
+  double surface_m = 0;          ///< distance of the own room's surface
+  /// Logarithm of the size it would have at unit distance, up to a constant; NaN: unknown.
+  double log_size = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The matches between a panorama of component a and one of component b.
@@ -53,8 +56,9 @@ struct DoorSight {
 /// Which matches agree with a placement as sights through one door.
 ///
 /// Of a match that agrees the two rays meet within `bound_rad` of a common plane with the baseline,
-/// on a surface of one of both rooms and beyond the walls of the other; where the second ray leaves
-/// its own room there must be the door, for all of them the same. Matches of one place (15 cm)
+/// on a surface of one of both rooms and beyond the walls of the other, and sizes, where known, are
+/// as the distances; where the second ray leaves its own room there must be the door, for all of
+/// them the same. Matches of one place (30 cm)
 /// count once, however many panoramas show it. Level rays are left out: every level baseline
 /// explains them.
 ///

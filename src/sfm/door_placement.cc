@@ -54,19 +54,13 @@ ImageF VoteForShifts(std::span<const ViewPairMatches> pairs, double yaw_rad) {
   return votes;
 }
 
-// Rooms side by side that hardly overlap.
-bool IsPossible(const ComponentFloor& a, const ComponentFloor& b, const Placement& placement,
-                double max_overlap) {
-  const Rigid3 transform = placement.Transform();
-  if (a.OverlapShare(b, transform) > max_overlap) return false;
-  return a.SharedArea_m2(b, transform, kContact_m) - a.SharedArea_m2(b, transform, 0) >
-         kMinContact_m2;
+bool IsPossible(const ComponentFloor& a, const ComponentFloor& b, const Placement& placement) {
+  return a.SharedArea_m2(b, placement.Transform(), kContact_m) > kMinContact_m2;
 }
 
 // The possible places with the most votes at one yaw.
 std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double yaw_rad,
-                                  const ComponentFloor& a, const ComponentFloor& b,
-                                  double max_overlap) {
+                                  const ComponentFloor& a, const ComponentFloor& b) {
   const ImageF votes = VoteForShifts(pairs, yaw_rad);
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(votes.data().size()); ++i) {
@@ -83,7 +77,7 @@ std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double
     const bool is_near = std::any_of(places.begin(), places.end(), [&](const Placement& place) {
       return (place.shift_m - shift_m).cwiseAbs().maxCoeff() < (kApart - 0.5) * kCell_m;
     });
-    if (is_near || !IsPossible(a, b, {yaw_rad, shift_m}, max_overlap)) continue;
+    if (is_near || !IsPossible(a, b, {yaw_rad, shift_m})) continue;
     places.push_back({yaw_rad, shift_m});
     if (places.size() == kMaxPlaces) break;
   }
@@ -138,14 +132,14 @@ bool IsBetter(const DoorSight& x, const DoorSight& y) {
 }
 
 // The best placement about a place: nudged, then refined for as long as that helps.
-JudgedPlacement Settle(const Placement& place, std::span<const ViewPairMatches> pairs,
+JudgedPlacement Settle(const Placement& place, size_t turn, std::span<const ViewPairMatches> pairs,
                        double bound_rad) {
   constexpr int kMaxSteps = 5;
-  JudgedPlacement best{place, LookThroughDoor(pairs, place, bound_rad)};
+  JudgedPlacement best{place, turn, LookThroughDoor(pairs, place, bound_rad)};
   const auto keep_if_better = [&](const Placement& placement) {
     const DoorSight sight = LookThroughDoor(pairs, placement, bound_rad);
     if (!IsBetter(sight, best.sight)) return false;
-    best = {placement, sight};
+    best = {placement, turn, sight};
     return true;
   };
   for (const double x_m : kNudges_m) {
@@ -178,43 +172,60 @@ bool IsSame(const Placement& x, const Placement& y) {
 
 }  // namespace
 
-std::optional<JudgedPlacement> FindDoorPlacement(std::span<const ViewPairMatches> pairs,
+double LogOddsNeeded(double overlap_share, const JoinOptions& options) {
+  constexpr double kMaxOverlap = 0.25;
+  return overlap_share > kMaxOverlap ? options.min_log_odds_overlapping : options.min_log_odds;
+}
+
+std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
                                                  const ComponentFloor& a, const ComponentFloor& b,
                                                  const JoinOptions& options, RunContext& context) {
-  std::array<std::vector<Placement>, 4> of_quarter;
-  ParallelFor(context, "", 4, [&](int64_t quarter) {
-    of_quarter[static_cast<size_t>(quarter)] =
-        BestPlaces(pairs, static_cast<double>(quarter) * kPi / 2, a, b, options.max_overlap);
+  std::array<std::vector<Placement>, 4> of_turn;
+  ParallelFor(context, "", 4, [&](int64_t turn) {
+    of_turn[static_cast<size_t>(turn)] =
+        BestPlaces(matches[static_cast<size_t>(turn)], static_cast<double>(turn) * kPi / 2, a, b);
   });
-  std::vector<Placement> places;
-  for (const auto& some : of_quarter) places.insert(places.end(), some.begin(), some.end());
+  struct Place {
+    Placement placement;
+    size_t turn;
+  };
+  std::vector<Place> places;
+  for (size_t turn = 0; turn < of_turn.size(); ++turn) {
+    for (const Placement& placement : of_turn[turn]) places.push_back({placement, turn});
+  }
   if (places.empty()) return std::nullopt;
 
   const double bound_rad = DegToRad(options.inlier_deg);
   std::vector<JudgedPlacement> judged(places.size());
   ParallelFor(context, "", static_cast<int64_t>(places.size()), [&](int64_t i) {
-    judged[static_cast<size_t>(i)] = Settle(places[static_cast<size_t>(i)], pairs, bound_rad);
+    const auto& [placement, turn] = places[static_cast<size_t>(i)];
+    judged[static_cast<size_t>(i)] = Settle(placement, turn, matches[turn], bound_rad);
   });
-  std::erase_if(judged, [&](const JudgedPlacement& one) {
-    return !IsPossible(a, b, one.placement, options.max_overlap);
-  });
+  std::erase_if(judged,
+                [&](const JudgedPlacement& one) { return !IsPossible(a, b, one.placement); });
   std::stable_sort(judged.begin(), judged.end(),
                    [](const JudgedPlacement& x, const JudgedPlacement& y) {
                      return IsBetter(x.sight, y.sight);
                    });
   judged.resize(std::min(judged.size(), kMaxJudged));
-  for (JudgedPlacement& one : judged) one.log_odds = LogOdds(pairs, one, bound_rad);
+  for (JudgedPlacement& one : judged) {
+    one.log_odds = LogOdds(matches[one.turn], one, bound_rad);
+  }
   std::stable_sort(
       judged.begin(), judged.end(),
       [](const JudgedPlacement& x, const JudgedPlacement& y) { return x.log_odds > y.log_odds; });
-  if (judged.empty() || judged.front().log_odds < options.min_log_odds) return std::nullopt;
-  const auto rival = std::find_if(judged.begin(), judged.end(), [&](const JudgedPlacement& other) {
-    return !IsSame(other.placement, judged.front().placement);
-  });
-  if (rival != judged.end() && rival->log_odds > judged.front().log_odds - options.min_margin) {
+  if (judged.empty()) return std::nullopt;
+  const JudgedPlacement& best = judged.front();
+  if (best.log_odds < LogOddsNeeded(a.OverlapShare(b, best.placement.Transform()), options)) {
     return std::nullopt;
   }
-  return judged.front();
+  const auto rival = std::find_if(judged.begin(), judged.end(), [&](const JudgedPlacement& other) {
+    return !IsSame(other.placement, best.placement);
+  });
+  if (rival != judged.end() && rival->log_odds > options.max_rival_share * best.log_odds) {
+    return std::nullopt;
+  }
+  return best;
 }
 
 }  // namespace enfilade

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "enfilade/base/run_context.h"
 #include "enfilade/sfm/join_components.h"
@@ -12,17 +14,28 @@
 
 namespace enfilade {
 
+/// Matches between two components for each of the four quarter turns of b that make their walls
+/// parallel: what is compared differs from turn to turn.
+using TurnedMatches = std::array<std::vector<ViewPairMatches>, 4>;
+
 /// A placement with what speaks for it.
 struct JudgedPlacement {
   Placement placement;
+  size_t turn = 0;  ///< quarters
   DoorSight sight;
   double log_odds = 0;
 };
 
+/// What speaks for a join must reach this where one component covers so much of the smaller one's
+/// floor (ComponentFloor::OverlapShare).
+[[nodiscard]] double LogOddsNeeded(double overlap_share, const JoinOptions& options);
+
 /// Where component b lies in the frame of a, from their matches through a door; none where no place
 /// stands out. See JoinComponents.
-[[nodiscard]] std::optional<JudgedPlacement> FindDoorPlacement(
-    std::span<const ViewPairMatches> pairs, const ComponentFloor& a, const ComponentFloor& b,
-    const JoinOptions& options, RunContext& context);
+[[nodiscard]] std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
+                                                               const ComponentFloor& a,
+                                                               const ComponentFloor& b,
+                                                               const JoinOptions& options,
+                                                               RunContext& context);
 
 }  // namespace enfilade

@@ -110,11 +110,8 @@ void MatchGuided(std::span<const PanoFeatures> features, std::span<const Gravity
     const Rigid3 &pose_a = registration.world_from_cam[a], &pose_b = registration.world_from_cam[b];
     PanoPair standing;
     SetGeometry(pose_a, pose_b, gravity[a], gravity[b], standing);
-    const int turn = TurnOfYaw(gravity[a], gravity[b], standing.Yaw_rad());
     const std::vector<FeatureMatch> matches =
-        YawOfTurn(features[a], gravity[a], features[b], gravity[b], turn)
-            ? MatchWalls(features[a], features[b], turn, loose)
-            : MatchDescriptors(features[a].descriptors, features[b].descriptors, loose);
+        MatchAtYaw(features[a], gravity[a], features[b], gravity[b], standing.Yaw_rad(), loose);
     PlacedPair placed;
     placed.geometry.direction = (pose_b.translation - pose_a.translation).normalized();
     for (const FeatureMatch& match : matches) {

@@ -80,6 +80,15 @@ std::vector<FeatureMatch> MatchWalls(const PanoFeatures& a, const PanoFeatures& 
   return matches;
 }
 
+std::vector<FeatureMatch> MatchAtYaw(const PanoFeatures& a, const Gravity& gravity_a,
+                                     const PanoFeatures& b, const Gravity& gravity_b,
+                                     double yaw_rad, const DescriptorMatchOptions& options) {
+  if (!KnowsWalls(a, gravity_a) || !KnowsWalls(b, gravity_b)) {
+    return MatchDescriptors(a.descriptors, b.descriptors, options);
+  }
+  return MatchWalls(a, b, TurnOfYaw(gravity_a, gravity_b, yaw_rad), options);
+}
+
 std::vector<double> LogSizes(const PanoFeatures& features,
                              std::span<const Eigen::Vector3d> level_rays, const Gravity& gravity) {
   std::vector<double> log_sizes;

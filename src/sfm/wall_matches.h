@@ -34,6 +34,13 @@ inline constexpr int kNumTurns = 4;
 [[nodiscard]] std::vector<FeatureMatch> MatchWalls(const PanoFeatures& a, const PanoFeatures& b,
                                                    int turn, const DescriptorMatchOptions& options);
 
+/// MatchWalls for the turn that is nearest to the yaw of b in a's level frame; where walls are not
+/// known, MatchDescriptors of all with all.
+[[nodiscard]] std::vector<FeatureMatch> MatchAtYaw(const PanoFeatures& a, const Gravity& gravity_a,
+                                                   const PanoFeatures& b, const Gravity& gravity_b,
+                                                   double yaw_rad,
+                                                   const DescriptorMatchOptions& options);
+
 /// Logarithms of the sizes that a panorama's features with descriptors would have at unit distance
 /// (PairHints): a feature that is seen head-on gets smaller with the distance from its wall.
 [[nodiscard]] std::vector<double> LogSizes(const PanoFeatures& features,

@@ -52,7 +52,8 @@ struct Apart {
 
   [[nodiscard]] std::vector<ComponentJoin> Join(int num_threads = 2) const {
     RunContext context(num_threads);
-    return JoinComponents({world_from_cam, component_idx, scene.features, outlines}, {}, context);
+    return JoinComponents({world_from_cam, component_idx, scene.features, scene.gravity, outlines},
+                          {}, context);
   }
 
   [[nodiscard]] Rigid3 TrueJoin(const ComponentJoin& join) const {
