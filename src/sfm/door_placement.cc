@@ -22,7 +22,11 @@ using Eigen::Vector3d;
 constexpr double kCell_m = 0.1;
 constexpr int kReach = 150;  // cells, either way
 constexpr float kMinVotes = 5;
-constexpr size_t kMaxTried = 4000, kMaxPlaces = 40;
+constexpr size_t kMaxTried = 4000, kMaxPlaces = 400;
+// Of these are refined, at each turn, those at which most is seen through a door while matches may
+// miss by so many times more: a cell is wider than what refining is to reach.
+constexpr size_t kMaxRefined = 60;
+constexpr double kWiderBound = 4;
 constexpr int kApart = 2;
 // Rooms that a door joins stand wall to wall: so much floor of one lies within reach of the
 // other's.
@@ -82,6 +86,25 @@ std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double
     if (places.size() == kMaxPlaces) break;
   }
   return places;
+}
+
+// Those of some places at which most is seen through a door, roughly.
+std::vector<Placement> MostPromising(std::span<const Placement> places,
+                                     std::span<const ViewPairMatches> pairs, double bound_rad,
+                                     RunContext& context) {
+  std::vector<int> num_spots(places.size());
+  ParallelFor(context, "", static_cast<int64_t>(places.size()), [&](int64_t i) {
+    num_spots[static_cast<size_t>(i)] =
+        LookThroughDoor(pairs, places[static_cast<size_t>(i)], kWiderBound * bound_rad).num_spots;
+  });
+  std::vector<size_t> order(places.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t x, size_t y) { return num_spots[x] > num_spots[y]; });
+  order.resize(std::min(order.size(), kMaxRefined));
+  std::vector<Placement> best;
+  for (const size_t i : order) best.push_back(places[i]);
+  return best;
 }
 
 double MissOf(const ViewPairMatches& pair, size_t match, const Placement& placement) {
@@ -190,12 +213,15 @@ std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
     size_t turn;
   };
   std::vector<Place> places;
+  const double bound_rad = DegToRad(options.inlier_deg);
   for (size_t turn = 0; turn < of_turn.size(); ++turn) {
-    for (const Placement& placement : of_turn[turn]) places.push_back({placement, turn});
+    for (const Placement& placement :
+         MostPromising(of_turn[turn], matches[turn], bound_rad, context)) {
+      places.push_back({placement, turn});
+    }
   }
   if (places.empty()) return std::nullopt;
 
-  const double bound_rad = DegToRad(options.inlier_deg);
   std::vector<JudgedPlacement> judged(places.size());
   ParallelFor(context, "", static_cast<int64_t>(places.size()), [&](int64_t i) {
     const auto& [placement, turn] = places[static_cast<size_t>(i)];
