@@ -304,7 +304,6 @@ class Bundle {
     for (size_t i = 0; i < blocks_.size(); ++i) {
       if (is_used_[i]) heights.push_back(world_from_cam_[i].translation.z());
     }
-    if (heights.empty()) return;
     const double middle = Median(heights);
     double weight = 0, sum = 0;
     for (const double height : heights) {
@@ -313,6 +312,7 @@ class Bundle {
       weight += own;
       sum += own * height;
     }
+    if (sum <= 0) return;
     const double scale = weight / sum;
     const auto first = std::find(is_used_.begin(), is_used_.end(), true) - is_used_.begin();
     Vector3d fixed = world_from_cam_[static_cast<size_t>(first)].translation;

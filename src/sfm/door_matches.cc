@@ -10,6 +10,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/two_view.h"
+#include "src/sfm/feature_sizes.h"
 
 namespace enfilade {
 namespace {
@@ -28,14 +29,6 @@ constexpr double kHalfDoor_m = 0.45;
 // One object, matched falsely, has many features: what is seen counts by places of this size.
 constexpr double kSpot_m = 0.3;
 constexpr double kNearest_m = 0.3, kFarthest_m = 9;
-
-// Sizes tell the ratio of the distances from both cameras to this factor.
-const double kSizeTolerance = std::log(1.5);
-
-bool FitSizes(const RoomRay& a, const RoomRay& b, double range_a, double range_b) {
-  const double larger = b.log_size - a.log_size + std::log(range_b / range_a);
-  return !(std::abs(larger) > kSizeTolerance);  // true where sizes are unknown
-}
 
 bool IsLevel(const Vector3d& ray) { return std::abs(ray.z()) < kLevel; }
 
@@ -63,7 +56,9 @@ std::optional<Sight> SightOf(const ViewPairMatches& pair, size_t match, const Ro
   if (range_a < kNearest_m || range_b < kNearest_m) return std::nullopt;
   const bool is_in_a = IsOn(range_a, a.surface_m) && range_b > b.surface_m + kBeyond_m;
   const bool is_in_b = IsOn(range_b, b.surface_m) && range_a > a.surface_m + kBeyond_m;
-  if (is_in_a == is_in_b || !FitSizes(a, b, range_a, range_b)) return std::nullopt;
+  if (is_in_a == is_in_b || !FitSizes(a.log_size, b.log_size, range_b / range_a)) {
+    return std::nullopt;
+  }
   const Vector3d own_wall_a = pair.a.position + a.surface_m * a.ray;
   const Vector3d own_wall_b = transform * (pair.b.position + b.surface_m * b.ray);
   Sight sight;
@@ -126,7 +121,7 @@ std::vector<Vector2d> ShiftsOf(const ViewPairMatches& pair, size_t match, double
   std::vector<Vector2d> shifts;
   const auto add = [&](double range_a, double range_b) {
     if (range_a > kFarthest_m || range_b > kFarthest_m) return;
-    if (!FitSizes(a, b, range_a, range_b)) return;
+    if (!FitSizes(a.log_size, b.log_size, range_b / range_a)) return;
     const Vector3d shift = pair.a.position + range_a * a.ray - position_b - range_b * ray_b;
     shifts.emplace_back(shift.head<2>());
   };

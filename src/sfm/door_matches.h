@@ -56,11 +56,10 @@ struct DoorSight {
 /// Which matches agree with a placement as sights through one door.
 ///
 /// Of a match that agrees the two rays meet within `bound_rad` of a common plane with the baseline,
-/// on a surface of one of both rooms and beyond the walls of the other, and sizes, where known, are
-/// as the distances; where the second ray leaves its own room there must be the door, for all of
-/// them the same. Matches of one place (30 cm)
-/// count once, however many panoramas show it. Level rays are left out: every level baseline
-/// explains them.
+/// on a surface of one of both rooms and beyond the walls of the other, and their features are as
+/// large as the distances say (FitSizes); where the second ray leaves its own room there must be
+/// the door, for all of them the same. Matches of one place (30 cm) count once, however many
+/// panoramas show it. Level rays are left out: every level baseline explains them.
 ///
 /// `roll` > 0 pairs each ray of a with the ray of b of another match instead: what agrees then
 /// agrees by chance. Cost: O(matches).

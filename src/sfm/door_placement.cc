@@ -22,11 +22,13 @@ using Eigen::Vector3d;
 constexpr double kCell_m = 0.1;
 constexpr int kReach = 150;  // cells, either way
 constexpr float kMinVotes = 5;
-constexpr size_t kMaxTried = 4000, kMaxPlaces = 400;
-// Of these are refined, at each turn, those at which most is seen through a door while matches may
-// miss by so many times more: a cell is wider than what refining is to reach.
-constexpr size_t kMaxRefined = 60;
+constexpr size_t kMaxTried = 4000, kNumPlaces = 400;
+// Refined are, at each turn, so many places with most votes where rooms do not overlap, and of all
+// those at which most is seen through a door while matches may miss by so many times more: a cell
+// is wider than what refining is to reach.
+constexpr size_t kNumRefined = 40;
 constexpr double kWiderBound = 4;
+constexpr double kMaxOverlap = 0.25;
 constexpr int kApart = 2;
 // Rooms that a door joins stand wall to wall: so much floor of one lies within reach of the
 // other's.
@@ -58,13 +60,17 @@ ImageF VoteForShifts(std::span<const ViewPairMatches> pairs, double yaw_rad) {
   return votes;
 }
 
-bool IsPossible(const ComponentFloor& a, const ComponentFloor& b, const Placement& placement) {
-  return a.SharedArea_m2(b, placement.Transform(), kContact_m) > kMinContact_m2;
+bool IsPossible(const ComponentFloor& a, const ComponentFloor& b, const Placement& placement,
+                double max_overlap) {
+  const Rigid3 transform = placement.Transform();
+  return a.SharedArea_m2(b, transform, kContact_m) > kMinContact_m2 &&
+         (max_overlap >= 1 || a.OverlapShare(b, transform) <= max_overlap);
 }
 
 // The possible places with the most votes at one yaw.
 std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double yaw_rad,
-                                  const ComponentFloor& a, const ComponentFloor& b) {
+                                  const ComponentFloor& a, const ComponentFloor& b,
+                                  double max_overlap, size_t num_places) {
   const ImageF votes = VoteForShifts(pairs, yaw_rad);
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(votes.data().size()); ++i) {
@@ -81,9 +87,9 @@ std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double
     const bool is_near = std::any_of(places.begin(), places.end(), [&](const Placement& place) {
       return (place.shift_m - shift_m).cwiseAbs().maxCoeff() < (kApart - 0.5) * kCell_m;
     });
-    if (is_near || !IsPossible(a, b, {yaw_rad, shift_m})) continue;
+    if (is_near || !IsPossible(a, b, {yaw_rad, shift_m}, max_overlap)) continue;
     places.push_back({yaw_rad, shift_m});
-    if (places.size() == kMaxPlaces) break;
+    if (places.size() == num_places) break;
   }
   return places;
 }
@@ -101,7 +107,7 @@ std::vector<Placement> MostPromising(std::span<const Placement> places,
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t x, size_t y) { return num_spots[x] > num_spots[y]; });
-  order.resize(std::min(order.size(), kMaxRefined));
+  order.resize(std::min(order.size(), kNumRefined));
   std::vector<Placement> best;
   for (const size_t i : order) best.push_back(places[i]);
   return best;
@@ -193,31 +199,45 @@ bool IsSame(const Placement& x, const Placement& y) {
          std::abs(WrapPi(x.yaw_rad - y.yaw_rad)) < kPi / 4;
 }
 
+// Of placements, best first, the first of each place.
+std::vector<JudgedPlacement> DifferentPlaces(std::span<const JudgedPlacement> judged) {
+  std::vector<JudgedPlacement> different;
+  for (const JudgedPlacement& one : judged) {
+    if (different.size() == kMaxJudged) break;
+    const bool is_known = std::any_of(
+        different.begin(), different.end(),
+        [&](const JudgedPlacement& other) { return IsSame(one.placement, other.placement); });
+    if (!is_known) different.push_back(one);
+  }
+  return different;
+}
+
 }  // namespace
 
 double LogOddsNeeded(double overlap_share, const JoinOptions& options) {
-  constexpr double kMaxOverlap = 0.25;
   return overlap_share > kMaxOverlap ? options.min_log_odds_overlapping : options.min_log_odds;
 }
 
 std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
                                                  const ComponentFloor& a, const ComponentFloor& b,
                                                  const JoinOptions& options, RunContext& context) {
-  std::array<std::vector<Placement>, 4> of_turn;
-  ParallelFor(context, "", 4, [&](int64_t turn) {
-    of_turn[static_cast<size_t>(turn)] =
-        BestPlaces(matches[static_cast<size_t>(turn)], static_cast<double>(turn) * kPi / 2, a, b);
-  });
+  const double bound_rad = DegToRad(options.inlier_deg);
   struct Place {
     Placement placement;
     size_t turn;
   };
   std::vector<Place> places;
-  const double bound_rad = DegToRad(options.inlier_deg);
-  for (size_t turn = 0; turn < of_turn.size(); ++turn) {
-    for (const Placement& placement :
-         MostPromising(of_turn[turn], matches[turn], bound_rad, context)) {
-      places.push_back({placement, turn});
+  for (size_t turn = 0; turn < matches.size(); ++turn) {
+    const double yaw_rad = static_cast<double>(turn) * kPi / 2;
+    std::array<std::vector<Placement>, 2> found;  // apart, anywhere
+    ParallelFor(context, "", 2, [&](int64_t i) {
+      found[static_cast<size_t>(i)] =
+          BestPlaces(matches[turn], yaw_rad, a, b, i == 0 ? kMaxOverlap : 1,
+                     i == 0 ? kNumRefined : kNumPlaces);
+    });
+    found[1] = MostPromising(found[1], matches[turn], bound_rad, context);
+    for (const std::vector<Placement>& some : found) {
+      for (const Placement& placement : some) places.push_back({placement, turn});
     }
   }
   if (places.empty()) return std::nullopt;
@@ -228,12 +248,12 @@ std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
     judged[static_cast<size_t>(i)] = Settle(placement, turn, matches[turn], bound_rad);
   });
   std::erase_if(judged,
-                [&](const JudgedPlacement& one) { return !IsPossible(a, b, one.placement); });
+                [&](const JudgedPlacement& one) { return !IsPossible(a, b, one.placement, 1); });
   std::stable_sort(judged.begin(), judged.end(),
                    [](const JudgedPlacement& x, const JudgedPlacement& y) {
                      return IsBetter(x.sight, y.sight);
                    });
-  judged.resize(std::min(judged.size(), kMaxJudged));
+  judged = DifferentPlaces(judged);
   for (JudgedPlacement& one : judged) {
     one.log_odds = LogOdds(matches[one.turn], one, bound_rad);
   }
@@ -245,10 +265,7 @@ std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
   if (best.log_odds < LogOddsNeeded(a.OverlapShare(b, best.placement.Transform()), options)) {
     return std::nullopt;
   }
-  const auto rival = std::find_if(judged.begin(), judged.end(), [&](const JudgedPlacement& other) {
-    return !IsSame(other.placement, best.placement);
-  });
-  if (rival != judged.end() && rival->log_odds > options.max_rival_share * best.log_odds) {
+  if (judged.size() > 1 && judged[1].log_odds > options.max_rival_share * best.log_odds) {
     return std::nullopt;
   }
   return best;

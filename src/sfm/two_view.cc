@@ -12,6 +12,7 @@
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/rigid3.h"
+#include "src/sfm/feature_sizes.h"
 #include "src/sfm/landscape.h"
 #include "src/sfm/median.h"
 #include "src/sfm/upright_votes.h"
@@ -36,8 +37,6 @@ constexpr int kMinMatches = 8;
 // Matches count fully from this parallax on: those with less agree with many directions.
 constexpr double kFullParallax_rad = DegToRad(2);
 constexpr int kRefinements = 8;
-// Sizes tell the ratio of the distances from both cameras to this factor.
-const double kSizeTolerance = std::log(1.5);
 constexpr double kYawReach_rad = DegToRad(5);
 constexpr double kHeadingTolerance_rad = DegToRad(4);
 // What a match counts where the yaw is at odds with the walls.
@@ -66,8 +65,7 @@ bool Agrees(const TwoViewGeometry& geometry, const RayPair& rays, double bound_r
     if (depths.a <= 0 || depths.b <= 0) return false;
     depth_ratio = depths.b / depths.a;
   }
-  const double larger = rays.second_log_size - rays.first_log_size + std::log(depth_ratio);
-  return !(std::abs(larger) > kSizeTolerance);  // true where sizes are unknown
+  return FitSizes(rays.first_log_size, rays.second_log_size, depth_ratio);
 }
 
 double Weight(const TwoViewGeometry& geometry, const RayPair& rays) {
