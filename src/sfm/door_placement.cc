@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -60,18 +61,13 @@ ImageF VoteForShifts(std::span<const ViewPairMatches> pairs, double yaw_rad) {
   return votes;
 }
 
-bool IsPossible(const ComponentFloor& a, const ComponentFloor& b, const Placement& placement,
-                double max_overlap) {
-  const Rigid3 transform = placement.Transform();
-  return a.SharedArea_m2(b, transform, kContact_m) > kMinContact_m2 &&
-         (max_overlap >= 1 || a.OverlapShare(b, transform) <= max_overlap);
+bool IsPossible(const ComponentFloor& a, const ComponentFloor& b, const Placement& placement) {
+  return a.SharedArea_m2(b, placement.Transform(), kContact_m) > kMinContact_m2;
 }
 
-// The possible places with the most votes at one yaw.
-std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double yaw_rad,
-                                  const ComponentFloor& a, const ComponentFloor& b,
-                                  double max_overlap, size_t num_places) {
-  const ImageF votes = VoteForShifts(pairs, yaw_rad);
+// The possible places with the most votes for a shift at one yaw.
+std::vector<Placement> BestPlaces(const ImageF& votes, double yaw_rad, size_t num_places,
+                                  const std::function<bool(const Placement&)>& is_possible) {
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(votes.data().size()); ++i) {
     if (votes.data()[static_cast<size_t>(i)] >= kMinVotes) order.push_back(i);
@@ -87,7 +83,7 @@ std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double
     const bool is_near = std::any_of(places.begin(), places.end(), [&](const Placement& place) {
       return (place.shift_m - shift_m).cwiseAbs().maxCoeff() < (kApart - 0.5) * kCell_m;
     });
-    if (is_near || !IsPossible(a, b, {yaw_rad, shift_m}, max_overlap)) continue;
+    if (is_near || !is_possible({yaw_rad, shift_m})) continue;
     places.push_back({yaw_rad, shift_m});
     if (places.size() == num_places) break;
   }
@@ -96,13 +92,11 @@ std::vector<Placement> BestPlaces(std::span<const ViewPairMatches> pairs, double
 
 // Those of some places at which most is seen through a door, roughly.
 std::vector<Placement> MostPromising(std::span<const Placement> places,
-                                     std::span<const ViewPairMatches> pairs, double bound_rad,
-                                     RunContext& context) {
-  std::vector<int> num_spots(places.size());
-  ParallelFor(context, "", static_cast<int64_t>(places.size()), [&](int64_t i) {
-    num_spots[static_cast<size_t>(i)] =
-        LookThroughDoor(pairs, places[static_cast<size_t>(i)], kWiderBound * bound_rad).num_spots;
-  });
+                                     std::span<const ViewPairMatches> pairs, double bound_rad) {
+  std::vector<int> num_spots;
+  for (const Placement& place : places) {
+    num_spots.push_back(LookThroughDoor(pairs, place, kWiderBound * bound_rad).num_spots);
+  }
   std::vector<size_t> order(places.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -111,6 +105,22 @@ std::vector<Placement> MostPromising(std::span<const Placement> places,
   std::vector<Placement> best;
   for (const size_t i : order) best.push_back(places[i]);
   return best;
+}
+
+// The places to refine at one yaw.
+std::vector<Placement> PlacesToRefine(std::span<const ViewPairMatches> pairs, double yaw_rad,
+                                      const ComponentFloor& a, const ComponentFloor& b,
+                                      double bound_rad) {
+  const ImageF votes = VoteForShifts(pairs, yaw_rad);
+  const auto is_possible = [&](const Placement& place) { return IsPossible(a, b, place); };
+  const auto is_apart = [&](const Placement& place) {
+    return is_possible(place) && a.OverlapShare(b, place.Transform()) <= kMaxOverlap;
+  };
+  std::vector<Placement> places = BestPlaces(votes, yaw_rad, kNumRefined, is_apart);
+  const std::vector<Placement> anywhere =
+      MostPromising(BestPlaces(votes, yaw_rad, kNumPlaces, is_possible), pairs, bound_rad);
+  places.insert(places.end(), anywhere.begin(), anywhere.end());
+  return places;
 }
 
 double MissOf(const ViewPairMatches& pair, size_t match, const Placement& placement) {
@@ -222,23 +232,19 @@ std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
                                                  const ComponentFloor& a, const ComponentFloor& b,
                                                  const JoinOptions& options, RunContext& context) {
   const double bound_rad = DegToRad(options.inlier_deg);
+  std::array<std::vector<Placement>, 4> of_turn;
+  ParallelFor(context, "", 4, [&](int64_t i) {
+    const size_t turn = static_cast<size_t>(i);
+    const double yaw_rad = static_cast<double>(turn) * kPi / 2;
+    of_turn[turn] = PlacesToRefine(matches[turn], yaw_rad, a, b, bound_rad);
+  });
   struct Place {
     Placement placement;
     size_t turn;
   };
   std::vector<Place> places;
-  for (size_t turn = 0; turn < matches.size(); ++turn) {
-    const double yaw_rad = static_cast<double>(turn) * kPi / 2;
-    std::array<std::vector<Placement>, 2> found;  // apart, anywhere
-    ParallelFor(context, "", 2, [&](int64_t i) {
-      found[static_cast<size_t>(i)] =
-          BestPlaces(matches[turn], yaw_rad, a, b, i == 0 ? kMaxOverlap : 1,
-                     i == 0 ? kNumRefined : kNumPlaces);
-    });
-    found[1] = MostPromising(found[1], matches[turn], bound_rad, context);
-    for (const std::vector<Placement>& some : found) {
-      for (const Placement& placement : some) places.push_back({placement, turn});
-    }
+  for (size_t turn = 0; turn < of_turn.size(); ++turn) {
+    for (const Placement& placement : of_turn[turn]) places.push_back({placement, turn});
   }
   if (places.empty()) return std::nullopt;
 
@@ -248,7 +254,7 @@ std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
     judged[static_cast<size_t>(i)] = Settle(placement, turn, matches[turn], bound_rad);
   });
   std::erase_if(judged,
-                [&](const JudgedPlacement& one) { return !IsPossible(a, b, one.placement, 1); });
+                [&](const JudgedPlacement& one) { return !IsPossible(a, b, one.placement); });
   std::stable_sort(judged.begin(), judged.end(),
                    [](const JudgedPlacement& x, const JudgedPlacement& y) {
                      return IsBetter(x.sight, y.sight);

@@ -108,10 +108,9 @@ void MatchGuided(std::span<const PanoFeatures> features, std::span<const Gravity
     PanoPair& pair = *pairs[static_cast<size_t>(k)];
     const size_t a = static_cast<size_t>(pair.a_idx), b = static_cast<size_t>(pair.b_idx);
     const Rigid3 &pose_a = registration.world_from_cam[a], &pose_b = registration.world_from_cam[b];
-    PanoPair standing;
-    SetGeometry(pose_a, pose_b, gravity[a], gravity[b], standing);
     const std::vector<FeatureMatch> matches =
-        MatchAtYaw(features[a], gravity[a], features[b], gravity[b], standing.Yaw_rad(), loose);
+        MatchAtYaw(features[a], gravity[a], features[b], gravity[b],
+                   YawBetween(pose_a, pose_b, gravity[a], gravity[b]), loose);
     PlacedPair placed;
     placed.geometry.direction = (pose_b.translation - pose_a.translation).normalized();
     for (const FeatureMatch& match : matches) {

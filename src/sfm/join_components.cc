@@ -58,12 +58,12 @@ RoomRay RayOf(const UnjoinedComponents& components, const ViewLogSizes& log_size
 void FillMatches(const UnjoinedComponents& components, const ViewLogSizes& log_sizes,
                  const Rigid3& turn, double max_ratio, ViewPairMatches& pair) {
   const size_t a = static_cast<size_t>(pair.a.view_idx), b = static_cast<size_t>(pair.b.view_idx);
-  PanoPair standing;
-  SetGeometry(components.world_from_cam[a], turn * components.world_from_cam[b],
-              components.gravity[a], components.gravity[b], standing);
+  const double yaw_rad =
+      YawBetween(components.world_from_cam[a], turn * components.world_from_cam[b],
+                 components.gravity[a], components.gravity[b]);
   const std::vector<FeatureMatch> matches =
       MatchAtYaw(components.features[a], components.gravity[a], components.features[b],
-                 components.gravity[b], standing.Yaw_rad(), {.max_ratio = max_ratio});
+                 components.gravity[b], yaw_rad, {.max_ratio = max_ratio});
   std::vector<RoomRay> rays_a, rays_b;
   std::vector<Eigen::Vector3d> directions_a, directions_b;
   for (const FeatureMatch& match : matches) {

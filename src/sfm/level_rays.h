@@ -37,4 +37,12 @@ inline void SetGeometry(const Rigid3& pose_a, const Rigid3& pose_b, const Gravit
   pair.direction = (a_from_world * (pose_b.translation - pose_a.translation)).normalized();
 }
 
+/// The yaw of b in a's level frame by their poses.
+[[nodiscard]] inline double YawBetween(const Rigid3& pose_a, const Rigid3& pose_b,
+                                       const Gravity& gravity_a, const Gravity& gravity_b) {
+  PanoPair standing;
+  SetGeometry(pose_a, pose_b, gravity_a, gravity_b, standing);
+  return standing.Yaw_rad();
+}
+
 }  // namespace enfilade

@@ -16,15 +16,20 @@ EvaluationReport Judge(const EvaluationInput& input, const GroundTruth& truth) {
   return Evaluate(input, truth, {}, context);
 }
 
-TEST(Evaluate, JudgesTheLargestComponentAlone) {
+// The hall is known, anywhere: a component on a storey of its own.
+SmallHome MakeHomeWithHallApart() {
   SmallHome home = MakeSmallHome();
-  // A third part of the home is known, anywhere: on a storey of its own.
   Storey apart;
   apart.rooms.push_back(home.plan.storeys[0].rooms.back());
   home.plan.storeys[0].rooms.pop_back();
   home.plan.storeys.push_back(apart);
   home.plan.cameras[2].component_idx = home.scene.views[2].component_idx = 1;
   home.plan.cameras[2].storey_idx = home.scene.views[2].storey_idx = 1;
+  return home;
+}
+
+TEST(Evaluate, JudgesTheLargestComponentAlone) {
+  SmallHome home = MakeHomeWithHallApart();
   EvaluationInput input{&home.scene, nullptr, &home.plan};
   const EvaluationReport report = Judge(input, home.truth);
   ASSERT_TRUE(report.figures.at("area_iou_gross_largest"));
@@ -34,13 +39,7 @@ TEST(Evaluate, JudgesTheLargestComponentAlone) {
 
 // Room 1 has no camera and is in the plan: as right as with poses for all.
 TEST(Evaluate, RoomsThatNobodyEnteredBelongToTheLargestComponent) {
-  SmallHome home = MakeSmallHome();
-  Storey apart;
-  apart.rooms.push_back(home.plan.storeys[0].rooms.back());
-  home.plan.storeys[0].rooms.pop_back();
-  home.plan.storeys.push_back(apart);
-  home.plan.cameras[2].component_idx = home.scene.views[2].component_idx = 1;
-  home.plan.cameras[2].storey_idx = home.scene.views[2].storey_idx = 1;
+  SmallHome home = MakeHomeWithHallApart();
   home.plan.cameras[1] = home.plan.cameras[0];
   home.scene.views[1].world_from_cam = home.scene.views[0].world_from_cam;
   home.truth.views[1].world_from_cam = home.truth.views[0].world_from_cam;
