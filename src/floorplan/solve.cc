@@ -16,6 +16,7 @@
 #include "src/floorplan/outline.h"
 #include "src/floorplan/rooms.h"
 #include "src/floorplan/slide.h"
+#include "src/floorplan/split_rooms.h"
 #include "src/floorplan/unseen_space.h"
 
 namespace enfilade {
@@ -90,8 +91,9 @@ void RemoveOverlaps(std::vector<Polygon2>& polygons) {
 
 class Solver {
  public:
-  Solver(const FloorplanOptions& options, RunContext& context, FloorplanReport& report)
-      : options_(options), context_(context), report_(report) {}
+  Solver(const Scene& scene, const FloorplanOptions& options, RunContext& context,
+         FloorplanReport& report)
+      : scene_(scene), options_(options), context_(context), report_(report) {}
 
   void AddStorey(const EvidenceGrids& evidence, const StoreyStructure& heights,
                  const std::vector<HeightSample>& samples) {
@@ -107,12 +109,25 @@ class Solver {
     std::erase_if(polygons,
                   [&](const Polygon2& polygon) { return Area(polygon) < options_.min_room_m2; });
     if (field.has_freeness) TakeIn(field, polygons);
-    for (const Polygon2& polygon : polygons) {
-      AddRoom(field, polygon, heights, samples, options_, storey);
-    }
+    AddRooms(field, polygons, heights, samples, storey);
+    if (!field.has_freeness) return;
+    const std::vector<Polygon2> parts =
+        SplitRoomsAtDoors(scene_, report_.plan.home_from_world, field, storey, storey.id,
+                          options_.wall_thickness_m, options_.openings, context_);
+    if (parts.size() == polygons.size()) return;
+    storey.rooms.clear();
+    storey.walls.clear();
+    AddRooms(field, parts, heights, samples, storey);
   }
 
  private:
+  void AddRooms(const LoopField& field, const std::vector<Polygon2>& polygons,
+                const StoreyStructure& heights, const std::vector<HeightSample>& samples,
+                Storey& storey) {
+    for (const Polygon2& polygon : polygons)
+      AddRoom(field, polygon, heights, samples, options_, storey);
+  }
+
   void TakeIn(const LoopField& field, std::vector<Polygon2>& polygons) {
     const double unseen_m2 = TakeInUnseenSpace(field, options_, polygons);
     report_.unseen_m2 += unseen_m2;
@@ -154,6 +169,7 @@ class Solver {
     return polygons;
   }
 
+  const Scene& scene_;
   const FloorplanOptions& options_;
   RunContext& context_;
   FloorplanReport& report_;
@@ -203,6 +219,7 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
     {0, 5});
   v("unseen_hole_m2", unseen_hole_m2,
     "Unseen space up to this large lies in it if rooms surround it.", {0, 100});
+  v("openings", openings, "Doors, found in the pictures.");
 }
 
 std::span<const std::string_view> EnumNames(FloorplanOutcome) {
@@ -217,7 +234,7 @@ FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
   FloorplanReport report;
   report.plan.home_from_world = structure.home_from_world;
   report.plan.cameras = PlanCameras(scene);
-  Solver solver(options, context, report);
+  Solver solver(scene, options, context, report);
   for (size_t i = 0; i < evidence.size(); ++i) {
     solver.AddStorey(evidence[i], structure.storeys[i],
                      HeightSamples(scene, structure, static_cast<int>(i)));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/pipeline/flow.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -166,12 +168,16 @@ Json Provenance(const Workspace& workspace) {
 
 StageResult DrawFloorplan(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
-  const Scene scene = ReadSceneJson(workspace.scene_file());
+  const Scene scene = ReadSceneWithPictures(workspace);
   const Structure structure = ReadStructure(workspace.structure_folder());
-  const FloorplanReport report = SolveFloorplan(
+  FloorplanReport report = SolveFloorplan(
       scene, structure, ReadEvidence(workspace.evidence_folder()), options.floorplan, context);
   if (report.outcome != FloorplanOutcome::kFound) return NoResult(report.reason);
   if (!report.reason.empty()) context.log().Warning(report.reason);
+  const OpeningReport openings =
+      FindOpenings(scene, options.floorplan.openings, context, report.plan);
+  context.log().Info(
+      fmt::format("{} doors, heads at {:.2f} m", openings.num_doors, openings.door_head_m));
   WriteFloorplanJson(workspace.floorplan_file(), report.plan, Provenance(workspace));
   return {};
 }

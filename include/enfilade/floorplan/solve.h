@@ -10,6 +10,7 @@
 #include "enfilade/base/options.h"
 #include "enfilade/base/run_context.h"
 #include "enfilade/evidence/types.h"
+#include "enfilade/floorplan/openings.h"
 #include "enfilade/floorplan/types.h"
 #include "enfilade/scene/types.h"
 #include "enfilade/structure/types.h"
@@ -43,6 +44,8 @@ struct FloorplanOptions {
   double unseen_gap_m = 1.6;
   double unseen_hole_m2 = 4;
 
+  OpeningOptions openings = {};  ///< where rooms are cut; for FindOpenings
+
   void Visit(OptionVisitor& v);
 };
 
@@ -68,7 +71,8 @@ struct FloorplanReport {
 /// solid wall inside, and every corner costs turn_cost_m. Solid wall that the loop encloses is cut
 /// out: as a bay of the outline where it hangs together with the outside, else as a hole with its
 /// own loop. Then every segment slides along its normal to the wall evidence. Cores get disjoint
-/// territories, so rooms do not overlap.
+/// territories, so rooms do not overlap. Rooms are cut at walls with doors that the views' pictures
+/// show (view.path; views without one are passed over).
 ///
 /// Evidence of raw counts is drawn with the cost of the paper: a cell of the outline costs one
 /// where it has fewer than counts_threshold wall points, a corner counts_turn_cells; free space has
@@ -76,7 +80,7 @@ struct FloorplanReport {
 ///
 /// `evidence` has one entry a storey of `structure`. Guarantees: rings are simple, orientations
 /// those of Polygon2, rooms of a storey are disjoint, walls are the edges of the rooms in ring
-/// order with the room on their left. One room a loop; no openings. A storey without core has no
+/// order with the room on their left; no openings (FindOpenings). A storey without core has no
 /// rooms.
 ///
 /// After Cabral & Furukawa, "Piecewise Planar and Compact Floorplan Reconstruction from Images"

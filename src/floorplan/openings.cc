@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/floorplan/openings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "src/floorplan/pictured_wall.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kMinWall_m = 0.55;
+constexpr double kBesideDoor_m = 0.12;
+
+const Room& RoomOf(const Storey& storey, int room_id) {
+  return *std::find_if(storey.rooms.begin(), storey.rooms.end(),
+                       [&](const Room& room) { return room.id == room_id; });
+}
+
+struct WallRef {
+  size_t storey = 0, wall = 0;
+};
+
+// The first room met on the way out through the wall.
+std::optional<int> RoomBehind(const Storey& storey, const DoorCandidate& door, double max_wall_m) {
+  constexpr double kStep_m = 0.05;
+  for (double depth_m = kStep_m; depth_m < max_wall_m + kStep_m; depth_m += kStep_m) {
+    const Vector2d p = door.Middle() + depth_m * door.Outward();
+    for (const Room& room : storey.rooms) {
+      if (Contains(room.polygon, p)) return room.id;
+    }
+  }
+  return std::nullopt;
+}
+
+// Of doors beside each other in one wall the surer one stays: the other is its leaf, which stands
+// open before the wall, or its casing.
+std::vector<DoorCandidate> WithoutNeighbours(const std::vector<DoorCandidate>& doors) {
+  std::vector<DoorCandidate> kept;
+  for (const DoorCandidate& door : doors) {
+    const bool is_beside = std::any_of(kept.begin(), kept.end(), [&](const DoorCandidate& other) {
+      const double gap_m = std::max(other.frame.begin_m, door.frame.begin_m) -
+                           std::min(other.frame.end_m, door.frame.end_m);
+      return other.wall == door.wall && gap_m < kBesideDoor_m;
+    });
+    if (!is_beside) kept.push_back(door);
+  }
+  return kept;
+}
+
+void AddDoor(const DoorCandidate& door, const Wall& wall, double max_wall_m, Storey& storey) {
+  const Room& room = RoomOf(storey, wall.room_id);
+  Opening opening;
+  opening.id = static_cast<int>(storey.openings.size());
+  opening.kind = OpeningKind::kDoor;
+  opening.wall_id = wall.id;
+  opening.a = door.a;
+  opening.b = door.b;
+  opening.sill_z = room.floor_z;
+  opening.head_z = room.floor_z + door.frame.head_m;
+  opening.room_id = room.id;
+  opening.other_room_id = RoomBehind(storey, door, max_wall_m);
+  storey.openings.push_back(opening);
+}
+
+}  // namespace
+
+void OpeningOptions::Visit(OptionVisitor& v) {
+  v("step_m", step_m, "Size of what is looked at on a wall.", {0.005, 0.1});
+  v("min_door_log_odds", min_door_log_odds, "How sure a door must be: natural log-odds.",
+    {-20, 20});
+  v("max_wall_m", max_wall_m, "Thickest wall that a door leads through.", {0.01, 2});
+}
+
+OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
+                           Floorplan& plan) {
+  OpeningReport report;
+  std::vector<WallRef> refs;
+  std::vector<PicturedWall> walls;
+  for (size_t s = 0; s < plan.storeys.size(); ++s) {
+    const Storey& storey = plan.storeys[s];
+    for (size_t w = 0; w < storey.walls.size(); ++w) {
+      const Wall& wall = storey.walls[w];
+      if ((wall.b - wall.a).norm() < kMinWall_m) continue;
+      const Room& room = RoomOf(storey, wall.room_id);
+      refs.push_back({s, w});
+      walls.emplace_back(wall.a, wall.b, static_cast<int>(s), room.polygon, room.floor_z,
+                         room.ceiling_z, options.step_m);
+    }
+  }
+  LookAtWalls(scene, plan.home_from_world, context, walls);
+  const std::optional<double> head_m = FindFrames(context, walls);
+  if (!head_m) return report;
+  report.door_head_m = *head_m;
+  for (size_t s = 0; s < plan.storeys.size(); ++s) {
+    Storey& storey = plan.storeys[s];
+    const int storey_idx = static_cast<int>(s);
+    std::vector<DoorCandidate> doors =
+        FindDoors(walls, storey_idx, CamerasInPlan(scene, plan.home_from_world, storey_idx),
+                  *head_m, options.max_wall_m);
+    std::erase_if(doors, [&](const DoorCandidate& door) {
+      return door.log_odds < options.min_door_log_odds;
+    });
+    doors = WithoutNeighbours(doors);
+    for (const DoorCandidate& door : doors)
+      AddDoor(door, storey.walls[refs[door.wall].wall], options.max_wall_m, storey);
+    report.num_doors += static_cast<int>(doors.size());
+  }
+  return report;
+}
+
+}  // namespace enfilade

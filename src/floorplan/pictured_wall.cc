@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/floorplan/pictured_wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "enfilade/image/codec.h"
+
+namespace enfilade {
+namespace {
+
+using Eigen::Vector2d;
+
+// What the two sides of a wall say of one door: how far its middles may be apart, how sure each
+// must be at least, and what they are worth together.
+constexpr double kSameDoor_m = 0.3, kMinOtherSide = -1.5, kBothSides = 1;
+
+FacadeView ReadView(const View& view, const Rigid3& home_from_world) {
+  return {view.camera, home_from_world * view.world_from_cam, ReadImageGray(view.path),
+          view.mask_path.empty() ? ImageU8() : ReadImageGray(view.mask_path)};
+}
+
+double DistanceToCamera(const std::vector<Vector2d>& cameras, const Vector2d& p) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Vector2d& camera : cameras) distance = std::min(distance, (camera - p).norm());
+  return distance;
+}
+
+// True for the same door seen from two sides of a wall.
+bool AreTwoSides(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m) {
+  if (a.Outward().dot(b.Outward()) > -0.98) return false;
+  const Vector2d between = b.Middle() - a.Middle();
+  const double behind_m = between.dot(a.Outward());
+  const double aside_m = std::abs(between.dot((a.b - a.a).normalized()));
+  return behind_m > -0.05 && behind_m < max_wall_m && aside_m < kSameDoor_m;
+}
+
+std::vector<DoorCandidate> JoinSides(const std::vector<DoorCandidate>& doors, double max_wall_m) {
+  std::vector<DoorCandidate> raised = doors;
+  for (DoorCandidate& door : raised) {
+    const bool agrees = std::any_of(doors.begin(), doors.end(), [&](const DoorCandidate& other) {
+      return other.log_odds > kMinOtherSide && AreTwoSides(door, other, max_wall_m);
+    });
+    if (agrees) door.log_odds += kBothSides;
+  }
+  std::stable_sort(
+      raised.begin(), raised.end(),
+      [](const DoorCandidate& a, const DoorCandidate& b) { return a.log_odds > b.log_odds; });
+  std::vector<DoorCandidate> kept;
+  for (const DoorCandidate& door : raised) {
+    const bool is_known = std::any_of(kept.begin(), kept.end(), [&](const DoorCandidate& other) {
+      return AreTwoSides(door, other, max_wall_m);
+    });
+    if (!is_known) kept.push_back(door);
+  }
+  return kept;
+}
+
+}  // namespace
+
+void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, RunContext& context,
+                 std::vector<PicturedWall>& walls) {
+  const auto batch = static_cast<size_t>(std::max(1, context.num_threads()));
+  std::vector<const View*> pictured;
+  for (const View& view : scene.views) {
+    if (!view.path.empty()) pictured.push_back(&view);
+  }
+  for (size_t first = 0; first < pictured.size(); first += batch) {
+    const size_t count = std::min(batch, pictured.size() - first);
+    std::vector<FacadeView> views(count);
+    ParallelFor(context, "", static_cast<int64_t>(count), [&](int64_t i) {
+      const auto k = static_cast<size_t>(i);
+      views[k] = ReadView(*pictured[first + k], home_from_world);
+    });
+    ParallelFor(context, "", static_cast<int64_t>(walls.size()), [&](int64_t i) {
+      PicturedWall& wall = walls[static_cast<size_t>(i)];
+      for (size_t k = 0; k < count; ++k) {
+        const Vector2d position = views[k].home_from_cam.translation.head<2>();
+        if (pictured[first + k]->storey_idx == wall.storey_idx && Contains(*wall.room, position))
+          wall.facade.Add(views[k], *wall.room);
+      }
+    });
+  }
+  for (PicturedWall& wall : walls) wall.facade.Finish();
+}
+
+std::optional<double> FindFrames(RunContext& context, std::vector<PicturedWall>& walls) {
+  std::vector<std::vector<DoorFrame>> frames(walls.size());
+  const auto find = [&](std::optional<double> head_m) {
+    ParallelFor(context, "", static_cast<int64_t>(walls.size()), [&](int64_t i) {
+      const Facade& facade = walls[static_cast<size_t>(i)].facade;
+      if (facade.num_views() > 0) frames[static_cast<size_t>(i)] = FindDoorFrames(facade, head_m);
+    });
+  };
+  find(std::nullopt);
+  const std::optional<double> head_m = HomeHead(frames);
+  if (!head_m) return head_m;
+  find(head_m);
+  for (size_t i = 0; i < walls.size(); ++i) walls[i].frames = std::move(frames[i]);
+  return head_m;
+}
+
+std::vector<DoorCandidate> FindDoors(const std::vector<PicturedWall>& walls, int storey_idx,
+                                     const std::vector<Vector2d>& cameras, double home_head_m,
+                                     double max_wall_m) {
+  std::vector<DoorCandidate> doors;
+  for (size_t i = 0; i < walls.size(); ++i) {
+    const PicturedWall& wall = walls[i];
+    if (wall.storey_idx != storey_idx) continue;
+    const Vector2d along = (wall.b - wall.a).normalized();
+    for (const DoorFrame& frame : wall.frames) {
+      DoorCandidate door{i, frame, wall.a + frame.begin_m * along, wall.a + frame.end_m * along, 0};
+      door.log_odds = DoorLogOdds(frame, home_head_m, DistanceToCamera(cameras, door.Middle()));
+      doors.push_back(door);
+    }
+  }
+  return JoinSides(doors, max_wall_m);
+}
+
+std::vector<Vector2d> CamerasInPlan(const Scene& scene, const Rigid3& home_from_world,
+                                    int storey_idx) {
+  std::vector<Vector2d> cameras;
+  for (const View& view : scene.views) {
+    if (view.storey_idx == storey_idx)
+      cameras.push_back((home_from_world * view.world_from_cam.translation).head<2>());
+  }
+  return cameras;
+}
+
+}  // namespace enfilade
