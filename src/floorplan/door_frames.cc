@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+
+#include "enfilade/floorplan/joined_rooms.h"
 
 namespace enfilade {
 namespace {
@@ -13,6 +17,8 @@ constexpr double kBelowCeiling_m = 0.06;
 // Less wall than this is not seen above a door: it may be a cupboard up to the ceiling.
 constexpr double kMinAbove_m = 0.14;
 constexpr double kMinWidth_m = 0.5, kMaxWidth_m = 2.4, kUsualWidth_m = 0.85;
+// From casing to casing an opening looks wider than it is.
+constexpr double kMinWideWidth_m = kRoomJoiningOpening_m + 0.14, kMaxWideWidth_m = 3.2;
 // Jambs are looked at in two parts, so that a window's or a picture's sides are none.
 constexpr double kJambFrom_m = 0.12, kJambMiddle_m = 0.65, kCasing_m = 0.08;
 constexpr double kAboveFrom_m = 0.1;
@@ -65,12 +71,20 @@ struct Jamb {
   }
 };
 
+Jamb JambOf(const DoorFrame& frame, int side) {
+  return {frame.low_jambs[side], frame.high_jambs[side], frame.above[side]};
+}
+
 class FrameFinder {
  public:
-  FrameFinder(const Facade& facade, std::optional<double> home_head_m)
+  using Score = std::function<double(const DoorFrame&)>;
+
+  FrameFinder(const Facade& facade, double min_width_m, double max_width_m, Score score)
       : facade_(facade),
         sums_(facade),
-        home_head_m_(home_head_m),
+        min_width_m_(min_width_m),
+        max_width_m_(max_width_m),
+        score_(std::move(score)),
         ceiling_m_(facade.rows() * facade.step_m()) {}
 
   [[nodiscard]] std::vector<DoorFrame> Find() {
@@ -113,8 +127,8 @@ class FrameFinder {
     for (size_t i = 0; i < peaks.size(); ++i) {
       for (size_t j = i + 1; j < peaks.size(); ++j) {
         const double width_m = (peaks[j] - peaks[i]) * facade_.step_m();
-        if (width_m > kMaxWidth_m) break;
-        if (width_m < kMinWidth_m) continue;
+        if (width_m > max_width_m_) break;
+        if (width_m < min_width_m_) continue;
         AddFrame(peaks[i], jambs[static_cast<size_t>(peaks[i])], peaks[j],
                  jambs[static_cast<size_t>(peaks[j])], head_m);
       }
@@ -132,18 +146,14 @@ class FrameFinder {
     if (frame.head < kMinHead) return;
     for (int row = sums_.RowAt(kBaseboardFrom_m); row < sums_.RowAt(kBaseboardTo_m); ++row)
       frame.baseboard = std::max(frame.baseboard, sums_.Level(row, first + 2, last - 2));
-    frame.score = left.Strength() + right.Strength() + frame.head - 0.3 * frame.baseboard -
-                  0.15 * std::abs(std::log(frame.Width() / kUsualWidth_m));
-    if (home_head_m_) {
-      const double off = (head_m - *home_head_m_) / kHeadSigma_m;
-      frame.score += 0.5 * std::exp(-0.5 * off * off);
-    }
+    frame.score = score_(frame);
     frames_.push_back(frame);
   }
 
   const Facade& facade_;
   EdgeSums sums_;
-  std::optional<double> home_head_m_;
+  double min_width_m_, max_width_m_;
+  Score score_;
   double ceiling_m_;
   std::vector<DoorFrame> frames_;
 };
@@ -151,7 +161,26 @@ class FrameFinder {
 }  // namespace
 
 std::vector<DoorFrame> FindDoorFrames(const Facade& facade, std::optional<double> home_head_m) {
-  return FrameFinder(facade, home_head_m).Find();
+  const auto score = [&](const DoorFrame& frame) {
+    const double of_edges = JambOf(frame, 0).Strength() + JambOf(frame, 1).Strength() + frame.head -
+                            0.3 * frame.baseboard -
+                            0.15 * std::abs(std::log(frame.Width() / kUsualWidth_m));
+    if (!home_head_m) return of_edges;
+    const double off = (frame.head_m - *home_head_m) / kHeadSigma_m;
+    return of_edges + 0.5 * std::exp(-0.5 * off * off);
+  };
+  return FrameFinder(facade, kMinWidth_m, kMaxWidth_m, score).Find();
+}
+
+std::vector<DoorFrame> FindWideFrames(const Facade& facade) {
+  return FrameFinder(facade, kMinWideWidth_m, kMaxWideWidth_m, OpeningStrength).Find();
+}
+
+bool IsWide(const DoorFrame& frame) { return frame.Width() >= kMinWideWidth_m; }
+
+float OpeningStrength(const DoorFrame& frame) {
+  return frame.head + std::min({frame.low_jambs[0], frame.low_jambs[1], frame.high_jambs[0],
+                                frame.high_jambs[1]});
 }
 
 std::optional<double> HomeHead(std::span<const std::vector<DoorFrame>> frames) {

@@ -29,6 +29,16 @@ struct DoorFrame {
 [[nodiscard]] std::vector<DoorFrame> FindDoorFrames(const Facade& facade,
                                                     std::optional<double> home_head_m);
 
+/// True when what is inside the frame is an opening that joins rooms (kRoomJoiningOpening_m).
+[[nodiscard]] bool IsWide(const DoorFrame& frame);
+
+/// The best few wide frames, up to 3.2 m, that do not overlap, best first; openings between rooms
+/// have no usual height. Their score is OpeningStrength.
+[[nodiscard]] std::vector<DoorFrame> FindWideFrames(const Facade& facade);
+
+/// 0–2: how clear the head and the weakest of the jambs are.
+[[nodiscard]] float OpeningStrength(const DoorFrame& frame);
+
 /// The height of most doors' heads, from the frames of all walls found without one; none when
 /// there are no frames.
 [[nodiscard]] std::optional<double> HomeHead(std::span<const std::vector<DoorFrame>> frames);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "src/floorplan/pictured_wall.h"
@@ -15,15 +16,12 @@ using Eigen::Vector2d;
 
 constexpr double kMinWall_m = 0.55;
 constexpr double kBesideDoor_m = 0.12;
+constexpr double kMinJoined_m2 = 4;  // of rooms that an opening joins
 
 const Room& RoomOf(const Storey& storey, int room_id) {
   return *std::find_if(storey.rooms.begin(), storey.rooms.end(),
                        [&](const Room& room) { return room.id == room_id; });
 }
-
-struct WallRef {
-  size_t storey = 0, wall = 0;
-};
 
 // The first room met on the way out through the wall.
 std::optional<int> RoomBehind(const Storey& storey, const DoorCandidate& door, double max_wall_m) {
@@ -52,11 +50,32 @@ std::vector<DoorCandidate> WithoutNeighbours(const std::vector<DoorCandidate>& d
   return kept;
 }
 
-void AddDoor(const DoorCandidate& door, const Wall& wall, double max_wall_m, Storey& storey) {
+double AreaOfRoom(const Storey& storey, int room_id) {
+  return Area(RoomOf(storey, room_id).polygon);
+}
+
+// The openings that lead from one room to another; a wide way into a closet is its door.
+std::vector<DoorCandidate> BetweenRooms(const Storey& storey,
+                                        const std::vector<DoorCandidate>& openings,
+                                        const std::vector<int>& room_of_wall, double max_wall_m) {
+  std::vector<DoorCandidate> kept;
+  for (const DoorCandidate& opening : openings) {
+    const std::optional<int> behind = RoomBehind(storey, opening, max_wall_m);
+    if (!behind || std::min(AreaOfRoom(storey, room_of_wall[opening.wall]),
+                            AreaOfRoom(storey, *behind)) < kMinJoined_m2) {
+      continue;
+    }
+    kept.push_back(opening);
+  }
+  return kept;
+}
+
+void AddOpening(const DoorCandidate& door, OpeningKind kind, const Wall& wall, double max_wall_m,
+                Storey& storey) {
   const Room& room = RoomOf(storey, wall.room_id);
   Opening opening;
   opening.id = static_cast<int>(storey.openings.size());
-  opening.kind = OpeningKind::kDoor;
+  opening.kind = kind;
   opening.wall_id = wall.id;
   opening.a = door.a;
   opening.b = door.b;
@@ -73,42 +92,67 @@ void OpeningOptions::Visit(OptionVisitor& v) {
   v("step_m", step_m, "Size of what is looked at on a wall.", {0.005, 0.1});
   v("min_door_log_odds", min_door_log_odds, "How sure a door must be: natural log-odds.",
     {-20, 20});
+  v("min_opening_strength", min_opening_strength,
+    "How clear head and jambs of a wide opening must be together.", {0, 2});
   v("max_wall_m", max_wall_m, "Thickest wall that a door leads through.", {0.01, 2});
 }
 
 OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
                            Floorplan& plan) {
   OpeningReport report;
-  std::vector<WallRef> refs;
   std::vector<PicturedWall> walls;
+  std::vector<size_t> wall_idx;  // in its storey, of every pictured wall
+  std::vector<int> room_of_wall;
   for (size_t s = 0; s < plan.storeys.size(); ++s) {
     const Storey& storey = plan.storeys[s];
     for (size_t w = 0; w < storey.walls.size(); ++w) {
       const Wall& wall = storey.walls[w];
       if ((wall.b - wall.a).norm() < kMinWall_m) continue;
       const Room& room = RoomOf(storey, wall.room_id);
-      refs.push_back({s, w});
+      wall_idx.push_back(w);
+      room_of_wall.push_back(room.id);
       walls.emplace_back(wall.a, wall.b, static_cast<int>(s), room.polygon, room.floor_z,
                          room.ceiling_z, options.step_m);
     }
   }
   LookAtWalls(scene, plan.home_from_world, context, walls);
   const std::optional<double> head_m = FindFrames(context, walls);
-  if (!head_m) return report;
-  report.door_head_m = *head_m;
+  report.door_head_m = head_m.value_or(0);
   for (size_t s = 0; s < plan.storeys.size(); ++s) {
     Storey& storey = plan.storeys[s];
     const int storey_idx = static_cast<int>(s);
-    std::vector<DoorCandidate> doors =
-        FindDoors(walls, storey_idx, CamerasInPlan(scene, plan.home_from_world, storey_idx),
-                  *head_m, options.max_wall_m);
+    const auto add = [&](const std::vector<DoorCandidate>& found, OpeningKind kind) {
+      for (const DoorCandidate& door : found)
+        AddOpening(door, kind, storey.walls[wall_idx[door.wall]], options.max_wall_m, storey);
+      return static_cast<int>(found.size());
+    };
+    std::vector<DoorCandidate> doors;
+    if (head_m) {
+      doors = FindDoors(walls, storey_idx, CamerasInPlan(scene, plan.home_from_world, storey_idx),
+                        *head_m, options.max_wall_m);
+    }
     std::erase_if(doors, [&](const DoorCandidate& door) {
       return door.log_odds < options.min_door_log_odds;
     });
     doors = WithoutNeighbours(doors);
-    for (const DoorCandidate& door : doors)
-      AddDoor(door, storey.walls[refs[door.wall].wall], options.max_wall_m, storey);
-    report.num_doors += static_cast<int>(doors.size());
+    std::vector<DoorCandidate> openings = BetweenRooms(
+        storey,
+        FindWideOpenings(walls, storey_idx, options.min_opening_strength, options.max_wall_m),
+        room_of_wall, options.max_wall_m);
+    const auto is_among = [&](const std::vector<DoorCandidate>& others, const DoorCandidate& one) {
+      return std::any_of(others.begin(), others.end(), [&](const DoorCandidate& other) {
+        return AreInOnePlace(other, one, options.max_wall_m);
+      });
+    };
+    // A door with its leaf beside it looks like an opening; what is as wide as an opening is none.
+    const auto is_narrow = [](const DoorCandidate& door) { return !IsWide(door.frame); };
+    std::vector<DoorCandidate> narrow;
+    std::copy_if(doors.begin(), doors.end(), std::back_inserter(narrow), is_narrow);
+    std::erase_if(openings,
+                  [&](const DoorCandidate& opening) { return is_among(narrow, opening); });
+    std::erase_if(doors, [&](const DoorCandidate& door) { return is_among(openings, door); });
+    report.num_doors += add(doors, OpeningKind::kDoor);
+    report.num_openings += add(openings, OpeningKind::kOpening);
   }
   return report;
 }

@@ -17,6 +17,7 @@ using Eigen::Vector2d;
 // What the two sides of a wall say of one door: how far its middles may be apart, how sure each
 // must be at least, and what they are worth together.
 constexpr double kSameDoor_m = 0.3, kMinOtherSide = -1.5, kBothSides = 1;
+constexpr float kMaxBaseboard = 0.45F;  // across an opening
 
 FacadeView ReadView(const View& view, const Rigid3& home_from_world) {
   return {view.camera, home_from_world * view.world_from_cam, ReadImageGray(view.path),
@@ -38,6 +39,31 @@ bool AreTwoSides(const DoorCandidate& a, const DoorCandidate& b, double max_wall
   return behind_m > -0.05 && behind_m < max_wall_m && aside_m < kSameDoor_m;
 }
 
+// The first of each place, in the order given.
+std::vector<DoorCandidate> OneOfEachPlace(const std::vector<DoorCandidate>& candidates,
+                                          double max_wall_m) {
+  std::vector<DoorCandidate> kept;
+  for (const DoorCandidate& candidate : candidates) {
+    const bool is_known = std::any_of(kept.begin(), kept.end(), [&](const DoorCandidate& other) {
+      return AreTwoSides(candidate, other, max_wall_m);
+    });
+    if (!is_known) kept.push_back(candidate);
+  }
+  return kept;
+}
+
+DoorCandidate CandidateOf(const PicturedWall& wall, size_t wall_idx, const DoorFrame& frame,
+                          double log_odds) {
+  const Vector2d along = (wall.b - wall.a).normalized();
+  return {wall_idx, frame, wall.a + frame.begin_m * along, wall.a + frame.end_m * along, log_odds};
+}
+
+void SortBySurest(std::vector<DoorCandidate>& candidates) {
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const DoorCandidate& a, const DoorCandidate& b) { return a.log_odds > b.log_odds; });
+}
+
 std::vector<DoorCandidate> JoinSides(const std::vector<DoorCandidate>& doors, double max_wall_m) {
   std::vector<DoorCandidate> raised = doors;
   for (DoorCandidate& door : raised) {
@@ -46,17 +72,8 @@ std::vector<DoorCandidate> JoinSides(const std::vector<DoorCandidate>& doors, do
     });
     if (agrees) door.log_odds += kBothSides;
   }
-  std::stable_sort(
-      raised.begin(), raised.end(),
-      [](const DoorCandidate& a, const DoorCandidate& b) { return a.log_odds > b.log_odds; });
-  std::vector<DoorCandidate> kept;
-  for (const DoorCandidate& door : raised) {
-    const bool is_known = std::any_of(kept.begin(), kept.end(), [&](const DoorCandidate& other) {
-      return AreTwoSides(door, other, max_wall_m);
-    });
-    if (!is_known) kept.push_back(door);
-  }
-  return kept;
+  SortBySurest(raised);
+  return OneOfEachPlace(raised, max_wall_m);
 }
 
 }  // namespace
@@ -110,14 +127,35 @@ std::vector<DoorCandidate> FindDoors(const std::vector<PicturedWall>& walls, int
   for (size_t i = 0; i < walls.size(); ++i) {
     const PicturedWall& wall = walls[i];
     if (wall.storey_idx != storey_idx) continue;
-    const Vector2d along = (wall.b - wall.a).normalized();
     for (const DoorFrame& frame : wall.frames) {
-      DoorCandidate door{i, frame, wall.a + frame.begin_m * along, wall.a + frame.end_m * along, 0};
+      DoorCandidate door = CandidateOf(wall, i, frame, 0);
       door.log_odds = DoorLogOdds(frame, home_head_m, DistanceToCamera(cameras, door.Middle()));
       doors.push_back(door);
     }
   }
   return JoinSides(doors, max_wall_m);
+}
+
+std::vector<DoorCandidate> FindWideOpenings(const std::vector<PicturedWall>& walls, int storey_idx,
+                                            double min_strength, double max_wall_m) {
+  std::vector<DoorCandidate> openings;
+  for (size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].storey_idx != storey_idx || walls[i].facade.num_views() == 0) continue;
+    for (const DoorFrame& frame : FindWideFrames(walls[i].facade)) {
+      if (frame.score >= min_strength && frame.baseboard <= kMaxBaseboard)
+        openings.push_back(CandidateOf(walls[i], i, frame, frame.score));
+    }
+  }
+  SortBySurest(openings);
+  return OneOfEachPlace(openings, max_wall_m);
+}
+
+bool AreInOnePlace(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m) {
+  const Vector2d along = (a.b - a.a).normalized();
+  const double behind_m = std::abs((b.Middle() - a.Middle()).dot(a.Outward()));
+  const double begin = along.dot(b.a - a.a), end = along.dot(b.b - a.a);
+  return std::abs(along.dot((b.b - b.a).normalized())) > 0.98 && behind_m < max_wall_m &&
+         std::min(begin, end) < a.frame.Width() && std::max(begin, end) > 0;
 }
 
 std::vector<Vector2d> CamerasInPlan(const Scene& scene, const Rigid3& home_from_world,

@@ -41,12 +41,12 @@ void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, RunContext& 
 /// returned; none when no wall shows a frame.
 std::optional<double> FindFrames(RunContext& context, std::vector<PicturedWall>& walls);
 
-/// A frame that may be a door's.
+/// A frame that may be a door's or an opening's.
 struct DoorCandidate {
   size_t wall = 0;  ///< index of the pictured wall
   DoorFrame frame;
   Eigen::Vector2d a, b;
-  double log_odds = 0;
+  double log_odds = 0;  ///< of a door; an opening's strength
 
   [[nodiscard]] Eigen::Vector2d Middle() const { return 0.5 * (a + b); }
   /// Unit, out of the room.
@@ -63,6 +63,15 @@ struct DoorCandidate {
                                                    int storey_idx,
                                                    const std::vector<Eigen::Vector2d>& cameras,
                                                    double home_head_m, double max_wall_m);
+
+/// The wide frames of one storey's walls that are clear enough for an opening, clearest first; of
+/// one seen from both sides the clearer side.
+[[nodiscard]] std::vector<DoorCandidate> FindWideOpenings(const std::vector<PicturedWall>& walls,
+                                                          int storey_idx, double min_strength,
+                                                          double max_wall_m);
+
+/// True for one door or opening seen from the two sides of a wall, or for the same.
+[[nodiscard]] bool AreInOnePlace(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m);
 
 /// Camera positions of a storey in the plan.
 [[nodiscard]] std::vector<Eigen::Vector2d> CamerasInPlan(const Scene& scene,

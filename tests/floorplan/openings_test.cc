@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "enfilade/floorplan/joined_rooms.h"
 #include "src/floorplan/split_rooms.h"
 #include "tests/floorplan/drawn_evidence.h"
 #include "tests/floorplan/painted_home.h"
@@ -113,23 +114,41 @@ TEST_F(OpeningsTest, WindowsPicturesAndCupboardsAreNoDoors) {
   EXPECT_TRUE(plan.storeys[0].openings.empty());
 }
 
-// Two rooms with a wall of 12 cm, the door open, its casing dark.
-std::vector<PaintedQuad> TwoRooms() {
+// Two rooms with a wall of 12 cm and a way through it, its casing dark.
+std::vector<PaintedQuad> TwoRooms(double from = 1, double to = 1.9) {
   std::vector<PaintedQuad> quads = PaintBox(0, 0, 8, 3);
   for (const double x : {3.94, 4.06}) {
     const PaintedQuad wall{0, x, 0, 3, 0, 2.4, 200};
-    quads.push_back(Panel(wall, 0, 1, 0, 2.4, 200));
-    quads.push_back(Panel(wall, 0, 1, 0, 0.08, 150));
-    quads.push_back(Panel(wall, 1.9, 3, 0, 2.4, 200));
-    quads.push_back(Panel(wall, 1.9, 3, 0, 0.08, 150));
-    quads.push_back(Panel(wall, 1, 1.9, kHead_m, 2.4, 200));
-    quads.push_back(Panel(wall, 0.93, 1, 0, kHead_m + 0.07, 90));
-    quads.push_back(Panel(wall, 1.9, 1.97, 0, kHead_m + 0.07, 90));
-    quads.push_back(Panel(wall, 0.93, 1.97, kHead_m, kHead_m + 0.07, 90));
+    for (const auto& [begin, end] : {std::pair{0.0, from}, {to, 3.0}}) {
+      quads.push_back(Panel(wall, begin, end, 0, 2.4, 200));
+      quads.push_back(Panel(wall, begin, end, 0, 0.08, 150));
+    }
+    quads.push_back(Panel(wall, from, to, kHead_m, 2.4, 200));
+    quads.push_back(Panel(wall, from - 0.07, from, 0, kHead_m + 0.07, 90));
+    quads.push_back(Panel(wall, to, to + 0.07, 0, kHead_m + 0.07, 90));
+    quads.push_back(Panel(wall, from - 0.07, to + 0.07, kHead_m, kHead_m + 0.07, 90));
   }
-  quads.push_back({1, 1, 3.94, 4.06, 0, kHead_m, 70});
-  quads.push_back({1, 1.9, 3.94, 4.06, 0, kHead_m, 70});
+  quads.push_back({1, from, 3.94, 4.06, 0, kHead_m, 70});
+  quads.push_back({1, to, 3.94, 4.06, 0, kHead_m, 70});
   return quads;
+}
+
+TEST_F(OpeningsTest, AWideOpeningJoinsRooms) {
+  const Floorplan plan = Find({Box(0, 0, 3.94, 3), Box(4.06, 0, 8, 3)}, TwoRooms(0.6, 2.4),
+                              {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}, {5.5, 1, 1.5}, {6.5, 1.8, 1.5}});
+  ASSERT_EQ(plan.storeys[0].openings.size(), 1u);
+  const Opening& opening = plan.storeys[0].openings[0];
+  EXPECT_EQ(opening.kind, OpeningKind::kOpening);
+  EXPECT_NEAR((opening.b - opening.a).norm(), 1.87, 0.1);
+  EXPECT_EQ(report_.num_openings, 1);
+  EXPECT_EQ(FirstJoinedRooms(plan.storeys[0]), (std::vector<size_t>{0, 0}));
+}
+
+TEST_F(OpeningsTest, AWideWayIntoAClosetIsItsDoor) {
+  const Floorplan plan = Find({Box(0, 0, 3.94, 3), Box(4.06, 0, 4.9, 3)}, TwoRooms(0.6, 2.4),
+                              {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}});
+  for (const Opening& opening : plan.storeys[0].openings)
+    EXPECT_EQ(opening.kind, OpeningKind::kDoor);
 }
 
 TEST_F(OpeningsTest, ADoorSeenFromBothSidesIsOne) {
