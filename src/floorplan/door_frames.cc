@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "enfilade/floorplan/joined_rooms.h"
+#include "src/floorplan/edge_sums.h"
 
 namespace enfilade {
 namespace {
@@ -27,41 +28,6 @@ constexpr float kMinJamb = 0.06F, kMinHead = 0.04F;
 constexpr size_t kMaxFrames = 4;
 constexpr double kMinScoreOfHead = 1;
 constexpr double kHeadSigma_m = 0.04;
-
-// Sums of a facade's edges over parts of its columns and rows.
-class EdgeSums {
- public:
-  explicit EdgeSums(const Facade& facade)
-      : facade_(facade),
-        upright_(facade.rows() + 1, facade.cols()),
-        level_(facade.rows(), facade.cols() + 1) {
-    for (int r = 0; r < facade.rows(); ++r) {
-      for (int c = 0; c < facade.cols(); ++c) {
-        upright_(r + 1, c) = upright_(r, c) + facade.upright()(r, c);
-        level_(r, c + 1) = level_(r, c) + facade.level()(r, c);
-      }
-    }
-  }
-
-  [[nodiscard]] int RowAt(double height_m) const {
-    return std::clamp(static_cast<int>(std::lround(height_m / facade_.step_m())), 0,
-                      facade_.rows());
-  }
-  // |mean| of upright edges of a column over rows [first, last): large when one straight edge runs
-  // through all of them.
-  [[nodiscard]] float Upright(int col, int first, int last) const {
-    if (last <= first) return 0;
-    return std::abs(upright_(last, col) - upright_(first, col)) / static_cast<float>(last - first);
-  }
-  [[nodiscard]] float Level(int row, int first, int last) const {
-    if (last <= first || row >= facade_.rows()) return 0;
-    return std::abs(level_(row, last) - level_(row, first)) / static_cast<float>(last - first);
-  }
-
- private:
-  const Facade& facade_;
-  ImageF upright_, level_;
-};
 
 // Upright edges of one column below and above a head.
 struct Jamb {

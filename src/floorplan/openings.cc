@@ -79,7 +79,7 @@ void AddOpening(const DoorCandidate& door, OpeningKind kind, const Wall& wall, d
   opening.wall_id = wall.id;
   opening.a = door.a;
   opening.b = door.b;
-  opening.sill_z = room.floor_z;
+  opening.sill_z = room.floor_z + door.sill_m;
   opening.head_z = room.floor_z + door.frame.head_m;
   opening.room_id = room.id;
   opening.other_room_id = RoomBehind(storey, door, max_wall_m);
@@ -94,6 +94,8 @@ void OpeningOptions::Visit(OptionVisitor& v) {
     {-20, 20});
   v("min_opening_strength", min_opening_strength,
     "How clear head and jambs of a wide opening must be together.", {0, 2});
+  v("min_window_strength", min_window_strength,
+    "How clear the four sides of a window must be together.", {0, 4});
   v("max_wall_m", max_wall_m, "Thickest wall that a door leads through.", {0.01, 2});
 }
 
@@ -153,6 +155,13 @@ OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, Ru
     std::erase_if(doors, [&](const DoorCandidate& door) { return is_among(openings, door); });
     report.num_doors += add(doors, OpeningKind::kDoor);
     report.num_openings += add(openings, OpeningKind::kOpening);
+    std::vector<DoorCandidate> windows =
+        FindWindows(walls, storey_idx, options.min_window_strength);
+    std::erase_if(windows, [&](const DoorCandidate& window) {
+      return RoomBehind(storey, window, options.max_wall_m) || is_among(doors, window) ||
+             is_among(openings, window);
+    });
+    report.num_windows += add(windows, OpeningKind::kWindow);
   }
   return report;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "enfilade/image/codec.h"
+#include "src/floorplan/window_frames.h"
 
 namespace enfilade {
 namespace {
@@ -55,7 +56,8 @@ std::vector<DoorCandidate> OneOfEachPlace(const std::vector<DoorCandidate>& cand
 DoorCandidate CandidateOf(const PicturedWall& wall, size_t wall_idx, const DoorFrame& frame,
                           double log_odds) {
   const Vector2d along = (wall.b - wall.a).normalized();
-  return {wall_idx, frame, wall.a + frame.begin_m * along, wall.a + frame.end_m * along, log_odds};
+  return {wall_idx, frame, wall.a + frame.begin_m * along, wall.a + frame.end_m * along,
+          log_odds, 0};
 }
 
 void SortBySurest(std::vector<DoorCandidate>& candidates) {
@@ -148,6 +150,23 @@ std::vector<DoorCandidate> FindWideOpenings(const std::vector<PicturedWall>& wal
   }
   SortBySurest(openings);
   return OneOfEachPlace(openings, max_wall_m);
+}
+
+std::vector<DoorCandidate> FindWindows(const std::vector<PicturedWall>& walls, int storey_idx,
+                                       double min_strength) {
+  std::vector<DoorCandidate> windows;
+  for (size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].storey_idx != storey_idx || walls[i].facade.num_views() == 0) continue;
+    for (const WindowFrame& window :
+         FindWindowFrames(walls[i].facade, static_cast<float>(min_strength))) {
+      const DoorFrame frame{
+          .begin_m = window.begin_m, .end_m = window.end_m, .head_m = window.head_m};
+      windows.push_back(CandidateOf(walls[i], i, frame, window.strength));
+      windows.back().sill_m = window.sill_m;
+    }
+  }
+  SortBySurest(windows);
+  return windows;
 }
 
 bool AreInOnePlace(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m) {

@@ -41,12 +41,13 @@ void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, RunContext& 
 /// returned; none when no wall shows a frame.
 std::optional<double> FindFrames(RunContext& context, std::vector<PicturedWall>& walls);
 
-/// A frame that may be a door's or an opening's.
+/// A frame that may be a door's, an opening's or a window's.
 struct DoorCandidate {
   size_t wall = 0;  ///< index of the pictured wall
   DoorFrame frame;
   Eigen::Vector2d a, b;
-  double log_odds = 0;  ///< of a door; an opening's strength
+  double log_odds = 0;  ///< of a door; an opening's or window's strength
+  double sill_m = 0;    ///< above the floor
 
   [[nodiscard]] Eigen::Vector2d Middle() const { return 0.5 * (a + b); }
   /// Unit, out of the room.
@@ -69,6 +70,10 @@ struct DoorCandidate {
 [[nodiscard]] std::vector<DoorCandidate> FindWideOpenings(const std::vector<PicturedWall>& walls,
                                                           int storey_idx, double min_strength,
                                                           double max_wall_m);
+
+/// The windows of one storey's walls, clearest first.
+[[nodiscard]] std::vector<DoorCandidate> FindWindows(const std::vector<PicturedWall>& walls,
+                                                     int storey_idx, double min_strength);
 
 /// True for one door or opening seen from the two sides of a wall, or for the same.
 [[nodiscard]] bool AreInOnePlace(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m);

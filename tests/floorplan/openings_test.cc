@@ -111,7 +111,13 @@ TEST_F(OpeningsTest, WindowsPicturesAndCupboardsAreNoDoors) {
   quads.push_back({0, 0, 1, 1.7, 1.2, 1.8, 60});     // a picture
   quads.push_back({0, 4, 1.5, 2.5, 0, 2.4, 120});    // a cupboard up to the ceiling
   const Floorplan plan = Find({Box(0, 0, 4, 3)}, quads, {{1.5, 1, 1.5}, {2.5, 1.4, 1.5}});
-  EXPECT_TRUE(plan.storeys[0].openings.empty());
+  ASSERT_EQ(plan.storeys[0].openings.size(), 1u);
+  const Opening& window = plan.storeys[0].openings[0];
+  EXPECT_EQ(window.kind, OpeningKind::kWindow);
+  EXPECT_LT((window.a - Vector2d(2.4, 3)).norm(), 0.04);
+  EXPECT_LT((window.b - Vector2d(1.2, 3)).norm(), 0.04);
+  EXPECT_NEAR(window.sill_z, 0.9, 0.04);
+  EXPECT_NEAR(window.head_z, 2.1, 0.04);
 }
 
 // Two rooms with a wall of 12 cm and a way through it, its casing dark.

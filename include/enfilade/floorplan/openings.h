@@ -14,6 +14,7 @@ struct OpeningOptions {
   double step_m = 0.02;
   double min_door_log_odds = 0;
   double min_opening_strength = 1;
+  double min_window_strength = 2.5;
   double max_wall_m = 0.45;
 
   void Visit(OptionVisitor& v);
@@ -21,19 +22,21 @@ struct OpeningOptions {
 
 struct OpeningReport {
   int num_doors = 0;
-  int num_openings = 0;
+  int num_openings = 0;  ///< wide ones without a door
+  int num_windows = 0;
   double door_head_m =
       0;  ///< height of the home's door heads above the floor; 0 when none was seen
 };
 
-/// Finds the doors and wide openings of a plan without any in the pictures and adds them to its
-/// storeys.
+/// Finds the doors, wide openings and windows of a plan without any in the pictures and adds them
+/// to its storeys.
 ///
 /// Every wall is looked at by the views that stand in its room: their pictures are laid onto the
 /// wall's plane and the mean of their edges taken, so that only what lies in the plane adds up. A
 /// door, open or shut, shows two upright edges from the floor up to a level one, at the height of
 /// the home's other doors. An opening is wider than 1.2 m, its head at any height, with a room on
-/// either side. What is seen from both sides of a wall is one.
+/// either side. A window is a bright rectangle in a wall without a room behind. What is seen from
+/// both sides of a wall is one.
 ///
 /// The pictures' files are read (view.path), a few at a time. Guarantees: openings lie on their
 /// wall, do not overlap on it, and have ids 0, 1, … in each storey. Throws what reading pictures
