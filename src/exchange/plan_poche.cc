@@ -79,22 +79,28 @@ double OpeningDepth(const Storey& storey, const Opening& opening, const Vector2d
 }
 
 MultiPolygon2 OpeningHoles(const Storey& storey) {
+  constexpr double kOverlap_m = 0.005;
   MultiPolygon2 holes;
   for (const Opening& opening : storey.openings) {
-    const auto wall = std::find_if(storey.walls.begin(), storey.walls.end(),
-                                   [&](const Wall& w) { return w.id == opening.wall_id; });
-    if (wall == storey.walls.end()) continue;
-    const Vector2d along = (wall->b - wall->a).normalized();
-    const Vector2d outward(along.y(), -along.x());
-    const Vector2d depth = (OpeningDepth(storey, opening, outward) + 0.005) * outward;
-    const Vector2d inside = -0.005 * outward;
-    holes.push_back(
-        {{opening.a + inside, opening.b + inside, opening.b + depth, opening.a + depth}, {}});
+    const Ring2 ring = OpeningFootprint(storey, opening);
+    if (ring.empty()) continue;
+    const Vector2d over = kOverlap_m * (ring[3] - ring[0]).normalized();
+    holes.push_back({{ring[0] - over, ring[1] - over, ring[2] + over, ring[3] + over}, {}});
   }
   return holes;
 }
 
 }  // namespace
+
+Ring2 OpeningFootprint(const Storey& storey, const Opening& opening) {
+  const auto wall = std::find_if(storey.walls.begin(), storey.walls.end(),
+                                 [&](const Wall& w) { return w.id == opening.wall_id; });
+  if (wall == storey.walls.end()) return {};
+  const Vector2d along = (wall->b - wall->a).normalized();
+  const Vector2d outward(along.y(), -along.x());
+  const Vector2d depth = OpeningDepth(storey, opening, outward) * outward;
+  return {opening.a, opening.b, opening.b + depth, opening.a + depth};
+}
 
 WallBodies BuildWallBodies(const Storey& storey) {
   WallBodies bodies;

@@ -17,4 +17,8 @@ struct WallBodies {
 /// walls meet in a mitre, and no body covers a room.
 [[nodiscard]] WallBodies BuildWallBodies(const Storey& storey);
 
+/// The place of an opening in its wall, as far as the face of the room behind it: its two ends on
+/// the wall's face, then the far ones. Empty when its wall is not in the storey.
+[[nodiscard]] Ring2 OpeningFootprint(const Storey& storey, const Opening& opening);
+
 }  // namespace enfilade

@@ -31,6 +31,7 @@ text { font-family: "DejaVu Sans", Arial, Helvetica, sans-serif; fill: #1c1c1c; 
 .face { fill: none; stroke: #000000; stroke-width: 0.3; stroke-linecap: square; }
 .face-inferred { stroke-dasharray: 1.2 0.9; stroke-linecap: butt; }
 .opening { fill: none; stroke: #1c1c1c; stroke-width: 0.18; }
+.leaf { stroke-width: 0.35; }
 .door, .passage { stroke-dasharray: 0.8 0.6; }
 .dimension { fill: none; stroke: #6a6a6a; stroke-width: 0.13; }
 .tick { fill: none; stroke: #1c1c1c; stroke-width: 0.25; }
@@ -113,13 +114,27 @@ void DrawWalls(const Storey& storey, const WallBodies& bodies, const PaperFrame&
   }
 }
 
+// Jambs across the wall; the leaf of a door in the middle (which way it turns is not known), the
+// faces and the pane of a window.
 void DrawOpenings(const Storey& storey, const PaperFrame& frame, xml_node layer) {
   constexpr const char* kStyles[] = {"opening door", "opening passage", "opening window"};
   for (const Opening& opening : storey.openings) {
-    xml_node line = AppendLine(layer, kStyles[static_cast<size_t>(opening.kind)], frame * opening.a,
-                               frame * opening.b);
-    SetAttribute(line, "data-opening", std::to_string(opening.id));
-    SetAttribute(line, "data-width-m", fmt::format("{:.3f}", (opening.b - opening.a).norm()));
+    const Ring2 ring = OpeningFootprint(storey, opening);
+    if (ring.empty()) continue;
+    xml_node group = AppendElement(layer, "g", kStyles[static_cast<size_t>(opening.kind)]);
+    SetAttribute(group, "data-opening", std::to_string(opening.id));
+    SetAttribute(group, "data-width-m", fmt::format("{:.3f}", (opening.b - opening.a).norm()));
+    AppendLine(group, "jamb", frame * ring[0], frame * ring[3]);
+    AppendLine(group, "jamb", frame * ring[1], frame * ring[2]);
+    if (opening.kind == OpeningKind::kWindow) {
+      AppendLine(group, "pane", frame * ring[0], frame * ring[1]);
+      AppendLine(group, "pane", frame * ring[3], frame * ring[2]);
+    }
+    if (opening.kind != OpeningKind::kOpening) {
+      AppendLine(group, opening.kind == OpeningKind::kDoor ? "leaf" : "pane",
+                 frame * Vector2d(0.5 * (ring[0] + ring[3])),
+                 frame * Vector2d(0.5 * (ring[1] + ring[2])));
+    }
   }
 }
 
