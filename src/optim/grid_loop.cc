@@ -9,42 +9,11 @@
 #include <queue>
 #include <tuple>
 
-#include "enfilade/base/check.h"
+#include "src/optim/loop_box.h"
 #include "src/optim/loop_search.h"
 
 namespace enfilade {
 namespace {
-
-size_t CountCore(const GridLoopProblem& problem) {
-  return static_cast<size_t>(std::count_if(problem.core.begin(), problem.core.end(),
-                                           [](uint8_t cell) { return cell != 0; }));
-}
-
-// Number of core cells that share sides with the first one, directly or through others.
-size_t CountConnectedCore(const GridLoopProblem& problem) {
-  const auto first = std::find_if(problem.core.begin(), problem.core.end(),
-                                  [](uint8_t cell) { return cell != 0; });
-  std::vector<uint8_t> is_new = problem.core;
-  std::vector<int> stack{static_cast<int>(first - problem.core.begin())};
-  is_new[static_cast<size_t>(stack.front())] = 0;
-  size_t count = 0;
-  const auto visit = [&](int cell) {
-    if (is_new[static_cast<size_t>(cell)] == 0) return;
-    is_new[static_cast<size_t>(cell)] = 0;
-    stack.push_back(cell);
-  };
-  while (!stack.empty()) {
-    const int cell = stack.back();
-    stack.pop_back();
-    ++count;
-    const int row = cell / problem.cols, col = cell % problem.cols;
-    if (row > 0) visit(cell - problem.cols);
-    if (row + 1 < problem.rows) visit(cell + problem.cols);
-    if (col > 0) visit(cell - 1);
-    if (col + 1 < problem.cols) visit(cell + 1);
-  }
-  return count;
-}
 
 struct Node {
   int64_t bound;
@@ -90,20 +59,10 @@ std::span<const std::string_view> EnumNames(GridLoopOutcome) {
 }
 
 GridLoopReport FindShortestLoop(const GridLoopProblem& problem) {
-  const size_t num_cells = static_cast<size_t>(problem.rows) * static_cast<size_t>(problem.cols);
-  ENFILADE_CHECK(problem.rows >= 0 && problem.cols >= 0 && problem.core.size() == num_cells);
-  ENFILADE_CHECK(problem.step_cost.size() ==
-                 problem.StepIndex(problem.rows + 1, 0, GridHeading::kEast));
   GridLoopReport report;
-  const size_t num_core = CountCore(problem);
-  if (num_core == 0) {
-    report.outcome = GridLoopOutcome::kEmptyCore;
-    return report;
-  }
-  if (CountConnectedCore(problem) != num_core) {
-    report.outcome = GridLoopOutcome::kDisconnectedCore;
-    return report;
-  }
+  report.outcome = CheckCore(problem);
+  if (report.outcome != GridLoopOutcome::kFound) return report;
+  report.outcome = GridLoopOutcome::kNoRoute;
 
   LoopSearch search(problem);
   std::optional<SeamPath> best;

@@ -10,89 +10,17 @@
 namespace enfilade {
 namespace {
 
-constexpr int kNorth = static_cast<int>(GridHeading::kNorth);
-constexpr int kSouth = static_cast<int>(GridHeading::kSouth);
 // Sums stay far from the end of uint32_t: a move adds less than 2^26.
 constexpr uint32_t kMaxDistance = uint32_t{1} << 31;
 constexpr int kMaxTurnCost = 1 << 25;
 
-int Left(int heading) { return (heading + 1) & 3; }
-int Right(int heading) { return (heading + 3) & 3; }
-
-bool IsCore(const GridLoopProblem& problem, int row, int col) {
-  return row >= 0 && col >= 0 && row < problem.rows && col < problem.cols &&
-         problem.core[static_cast<size_t>(row) * static_cast<size_t>(problem.cols) +
-                      static_cast<size_t>(col)] != 0;
-}
-
 }  // namespace
 
-LoopSearch::LoopSearch(const GridLoopProblem& problem) {
+LoopSearch::LoopSearch(const GridLoopProblem& problem)
+    : box_(problem), num_vertices_(box_.num_vertices()) {
   ENFILADE_CHECK(problem.turn_cost >= 1 && problem.turn_cost <= kMaxTurnCost);
   turn_cost_ = static_cast<uint32_t>(problem.turn_cost);
-  ChooseBox(problem);
-  CopySteps(problem);
-  uint32_t max_step = 0;
-  for (const uint16_t cost : step_) {
-    if (cost != kBlockedStep) max_step = std::max<uint32_t>(max_step, cost);
-  }
-  max_move_cost_ = max_step + turn_cost_;
-}
-
-// The box of the core grown by the margin, and the ray from the core's easternmost cell: beyond
-// that column there is no core, so the ray meets it nowhere else.
-void LoopSearch::ChooseBox(const GridLoopProblem& problem) {
-  int first_row = problem.rows, last_row = -1, first_col = problem.cols, last_col = -1,
-      ray_row = -1;
-  for (int row = 0; row < problem.rows; ++row) {
-    for (int col = 0; col < problem.cols; ++col) {
-      if (!IsCore(problem, row, col)) continue;
-      first_row = std::min(first_row, row);
-      last_row = row;
-      first_col = std::min(first_col, col);
-      if (col > last_col) {
-        last_col = col;
-        ray_row = row;
-      }
-    }
-  }
-  ENFILADE_CHECK(last_row >= 0);
-  const int margin = std::max(problem.margin_cells, 0);
-  low_row_ = std::max(first_row - margin, 0);
-  low_col_ = std::max(first_col - margin, 0);
-  const int high_row =
-      static_cast<int>(std::min<int64_t>(int64_t{last_row} + 1 + margin, problem.rows));
-  const int high_col =
-      static_cast<int>(std::min<int64_t>(int64_t{last_col} + 1 + margin, problem.cols));
-  rows_ = high_row - low_row_ + 3;  // vertices low … high and the padding
-  cols_ = high_col - low_col_ + 3;
-  num_vertices_ = rows_ * cols_;
-  offset_[0] = 1;
-  offset_[1] = cols_;
-  offset_[2] = -1;
-  offset_[3] = -cols_;
-  seam_bottom_ = (ray_row - low_row_ + 1) * cols_ + (last_col + 1 - low_col_ + 1);
-  seam_top_ = seam_bottom_ + cols_;
-  num_seams_ = high_col - last_col;
-}
-
-// Steps of the box; those out of it, through the core, or with the core on their right are blocked.
-void LoopSearch::CopySteps(const GridLoopProblem& problem) {
-  step_.assign(static_cast<size_t>(num_vertices_) * 4, kBlockedStep);
-  for (int row = 1; row + 1 < rows_; ++row) {
-    for (int col = 1; col + 1 < cols_; ++col) {
-      const int r = low_row_ + row - 1,
-                c = low_col_ + col - 1;  // of the vertex in the problem's grid
-      const bool is_room[4] = {col + 2 < cols_, row + 2 < rows_, col > 1, row > 1};
-      const bool is_core_on_right[4] = {IsCore(problem, r - 1, c), IsCore(problem, r, c),
-                                        IsCore(problem, r, c - 1), IsCore(problem, r - 1, c - 1)};
-      for (int heading = 0; heading < 4; ++heading) {
-        if (!is_room[heading] || is_core_on_right[heading]) continue;
-        step_[static_cast<size_t>(row * cols_ + col) * 4 + static_cast<size_t>(heading)] =
-            problem.step_cost[problem.StepIndex(r, c, static_cast<GridHeading>(heading))];
-      }
-    }
-  }
+  max_move_cost_ = box_.max_step() + turn_cost_;
 }
 
 LoopSearch::Parts LoopSearch::Split(State state) const {
@@ -101,24 +29,11 @@ LoopSearch::Parts LoopSearch::Split(State state) const {
   return {level, vertex, static_cast<int>(state & 3)};
 }
 
-int LoopSearch::LevelChange(int vertex, int heading) const {
-  const auto is_seam = [&](int first) {
-    return static_cast<int>(vertex >= first && vertex < first + num_seams_);
-  };
-  if (heading == kNorth) return is_seam(seam_bottom_);
-  if (heading == kSouth) return -is_seam(seam_top_);
-  return 0;
-}
-
 int LoopSearch::SeamOf(State state, int level) const {
-  const State first = MakeState(level, seam_top_, kNorth);
-  const bool is_seam = state >= first && state - first < 4 * static_cast<State>(num_seams_) &&
+  const State first = MakeState(level, box_.seam_top(), kNorth);
+  const bool is_seam = state >= first && state - first < 4 * static_cast<State>(box_.num_seams()) &&
                        (state & 3) == static_cast<State>(kNorth);
   return is_seam ? static_cast<int>((state - first) / 4) : -1;
-}
-
-GridVertex LoopSearch::GridVertexOf(int vertex) const {
-  return {low_row_ + vertex / cols_ - 1, low_col_ + vertex % cols_ - 1};
 }
 
 std::optional<int64_t> LoopSearch::Prepare(int max_level) {
@@ -131,7 +46,7 @@ std::optional<int64_t> LoopSearch::Prepare(int max_level) {
   from_start_.assign(num_states, kUnreached);
   buckets_.assign(max_move_cost_ + 1, {});
 
-  for (int seam = 0; seam < num_seams_; ++seam) {
+  for (int seam = 0; seam < box_.num_seams(); ++seam) {
     to_end_[EndOf(seam)] = 0;
     buckets_[0].push_back(EndOf(seam));
   }
@@ -158,10 +73,10 @@ std::optional<int64_t> LoopSearch::Prepare(int max_level) {
 
 void LoopSearch::RelaxBackward(State state, uint32_t distance) {
   const auto [level, vertex, heading] = Split(state);
-  const int from = vertex - offset_[heading];
-  const uint16_t step = step_[static_cast<size_t>(from) * 4 + static_cast<size_t>(heading)];
+  const int from = vertex - box_.offset(heading);
+  const uint16_t step = box_.Step(from, heading);
   if (step == kBlockedStep) return;
-  const int from_level = level - LevelChange(from, heading);
+  const int from_level = level - box_.LevelChange(from, heading);
   if (from_level < 0 || from_level > max_level_) return;
   const uint32_t straight = distance + step;
   if (straight + turn_cost_ >= kMaxDistance) return;
@@ -172,8 +87,8 @@ void LoopSearch::RelaxBackward(State state, uint32_t distance) {
     buckets_[cost % buckets_.size()].push_back(previous);
   };
   relax(heading, straight);
-  relax(Left(heading), straight + turn_cost_);
-  relax(Right(heading), straight + turn_cost_);
+  relax(LeftOf(heading), straight + turn_cost_);
+  relax(RightOf(heading), straight + turn_cost_);
 }
 
 // Closes the walk that leaves `start_seam` by going along the row north of the ray: an upper bound
@@ -181,7 +96,7 @@ void LoopSearch::RelaxBackward(State state, uint32_t distance) {
 void LoopSearch::BoundByClosing(int start_seam, uint32_t distance) {
   if (distance >= upper_bound_) return;
   const int end_seam = EndSeamFrom(start_seam);
-  const int64_t row_cost = RowCost(seam_top_ + end_seam, start_seam - end_seam);
+  const int64_t row_cost = RowCost(box_.seam_top() + end_seam, start_seam - end_seam);
   const int64_t turns = start_seam == end_seam ? 0 : 2 * int64_t{turn_cost_};
   upper_bound_ = std::min(upper_bound_, int64_t{distance} + row_cost + turns);
 }
@@ -191,11 +106,11 @@ int LoopSearch::EndSeamFrom(int start_seam) const {
   while (SeamOf(state, 1) < 0) {
     const auto [level, vertex, heading] = Split(state);
     State next = state;
-    for (const int turn : {heading, Left(heading), Right(heading)}) {
-      const uint16_t step = step_[static_cast<size_t>(vertex) * 4 + static_cast<size_t>(turn)];
-      const int next_level = level + LevelChange(vertex, turn);
+    for (const int turn : {heading, LeftOf(heading), RightOf(heading)}) {
+      const uint16_t step = box_.Step(vertex, turn);
+      const int next_level = level + box_.LevelChange(vertex, turn);
       if (step == kBlockedStep || next_level < 0 || next_level > std::max(max_level_, 1)) continue;
-      const State candidate = MakeState(next_level, vertex + offset_[turn], turn);
+      const State candidate = MakeState(next_level, vertex + box_.offset(turn), turn);
       const uint32_t cost = step + (turn == heading ? 0 : turn_cost_);
       if (to_end_[candidate] != kUnreached && to_end_[candidate] + cost == to_end_[state]) {
         next = candidate;
@@ -213,8 +128,7 @@ int64_t LoopSearch::RowCost(int vertex, int num_steps) const {
   int64_t cost = 0;
   const int heading = num_steps > 0 ? 0 : 2;
   for (int i = 0; i < std::abs(num_steps); ++i) {
-    const uint16_t step = step_[static_cast<size_t>(vertex + i * offset_[heading]) * 4 +
-                                static_cast<size_t>(heading)];
+    const uint16_t step = box_.Step(vertex + i * box_.offset(heading), heading);
     if (step == kBlockedStep) return kMaxDistance;
     cost += step;
   }
@@ -244,12 +158,12 @@ void LoopSearch::RelaxForward(State state, int64_t max_cost) {
   const auto [level, vertex, heading] = Split(state);
   if (level > max_level_) return;
   const uint32_t so_far = from_start_[state];
-  for (const int turn : {heading, Left(heading), Right(heading)}) {
-    const uint16_t step = step_[static_cast<size_t>(vertex) * 4 + static_cast<size_t>(turn)];
+  for (const int turn : {heading, LeftOf(heading), RightOf(heading)}) {
+    const uint16_t step = box_.Step(vertex, turn);
     if (step == kBlockedStep) continue;
-    const int next_level = level + LevelChange(vertex, turn);
+    const int next_level = level + box_.LevelChange(vertex, turn);
     if (next_level < 0 || next_level > std::max(max_level_, 1)) continue;
-    PushForward(MakeState(next_level, vertex + offset_[turn], turn),
+    PushForward(MakeState(next_level, vertex + box_.offset(turn), turn),
                 so_far + step + (turn == heading ? 0 : turn_cost_), max_cost);
   }
 }
@@ -279,7 +193,8 @@ SeamPath LoopSearch::TraceBack(int end_seam) const {
   path.cost = from_start_[state];
   while (from_start_[state] > 0 || SeamOf(state, 0) < 0) {
     const State previous = Predecessor(state);
-    if (((previous ^ state) & 3) != 0) path.corners.push_back(GridVertexOf(Split(previous).vertex));
+    if (((previous ^ state) & 3) != 0)
+      path.corners.push_back(box_.GridVertexOf(Split(previous).vertex));
     state = previous;
   }
   path.start_seam = SeamOf(state, 0);
@@ -289,10 +204,10 @@ SeamPath LoopSearch::TraceBack(int end_seam) const {
 
 LoopSearch::State LoopSearch::Predecessor(State state) const {
   const auto [level, vertex, heading] = Split(state);
-  const int from = vertex - offset_[heading];
-  const uint32_t step = step_[static_cast<size_t>(from) * 4 + static_cast<size_t>(heading)];
-  const int from_level = level - LevelChange(from, heading);
-  for (const int turn : {heading, Left(heading), Right(heading)}) {
+  const int from = vertex - box_.offset(heading);
+  const uint32_t step = box_.Step(from, heading);
+  const int from_level = level - box_.LevelChange(from, heading);
+  for (const int turn : {heading, LeftOf(heading), RightOf(heading)}) {
     const State previous = MakeState(from_level, from, turn);
     const uint32_t cost = step + (turn == heading ? 0 : turn_cost_);
     if (from_start_[previous] != kUnreached && from_start_[previous] + cost == from_start_[state])

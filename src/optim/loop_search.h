@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "enfilade/optim/grid_loop.h"
+#include "src/optim/loop_box.h"
 
 namespace enfilade {
 
@@ -38,7 +39,7 @@ class LoopSearch {
   /// Requires a core that is not empty.
   explicit LoopSearch(const GridLoopProblem& problem);
 
-  [[nodiscard]] int num_seams() const { return num_seams_; }
+  [[nodiscard]] int num_seams() const { return box_.num_seams(); }
   [[nodiscard]] int64_t num_settled() const { return num_settled_; }
 
   /// Distances from every state to the nearest end of a walk, with levels 0 … max_level. They guide
@@ -60,11 +61,8 @@ class LoopSearch {
   [[nodiscard]] State MakeState(int level, int vertex, int heading) const {
     return static_cast<State>((level * num_vertices_ + vertex) * 4 + heading);
   }
-  [[nodiscard]] State StartOf(int seam) const { return MakeState(0, seam_top_ + seam, 1); }
-  [[nodiscard]] State EndOf(int seam) const { return MakeState(1, seam_top_ + seam, 1); }
-  /// How the level changes with the step that leaves `vertex` with `heading`.
-  [[nodiscard]] int LevelChange(int vertex, int heading) const;
-  [[nodiscard]] GridVertex GridVertexOf(int vertex) const;
+  [[nodiscard]] State StartOf(int seam) const { return MakeState(0, box_.seam_top() + seam, 1); }
+  [[nodiscard]] State EndOf(int seam) const { return MakeState(1, box_.seam_top() + seam, 1); }
   /// Level, vertex and heading of a state.
   struct Parts {
     int level, vertex, heading;
@@ -73,8 +71,6 @@ class LoopSearch {
   /// Seam that `state` has just crossed northwards to reach `level`, or −1.
   [[nodiscard]] int SeamOf(State state, int level) const;
 
-  void ChooseBox(const GridLoopProblem& problem);
-  void CopySteps(const GridLoopProblem& problem);
   void RelaxBackward(State state, uint32_t distance);
   void BoundByClosing(int start_seam, uint32_t distance);
   [[nodiscard]] int EndSeamFrom(int start_seam) const;
@@ -85,16 +81,10 @@ class LoopSearch {
   [[nodiscard]] State Predecessor(State state) const;
   void ResetForward();
 
-  // The box of vertices, padded by one on every side so that steps need no bounds check.
-  int low_row_ = 0, low_col_ = 0;
-  int rows_ = 0, cols_ = 0;  // of vertices, with padding
+  LoopBox box_;
   int num_vertices_ = 0;
-  int offset_[4] = {0, 0, 0, 0};
-  int seam_bottom_ = 0, seam_top_ = 0;  // vertices at the two ends of the first seam
-  int num_seams_ = 0;
   uint32_t turn_cost_ = 0;
   uint32_t max_move_cost_ = 0;
-  std::vector<uint16_t> step_;  // num_vertices × 4
 
   int max_level_ = 0;
   int64_t upper_bound_ = 0;

@@ -9,55 +9,14 @@
 #include <queue>
 #include <random>
 #include <set>
-#include <string>
 #include <tuple>
+
+#include "tests/optim/grid_problems.h"
 
 namespace enfilade {
 namespace {
 
 constexpr int64_t kNone = std::numeric_limits<int64_t>::max();
-
-GridLoopProblem MakeProblem(int rows, int cols, uint16_t step_cost, int turn_cost) {
-  GridLoopProblem problem;
-  problem.rows = rows;
-  problem.cols = cols;
-  problem.turn_cost = turn_cost;
-  problem.core.assign(static_cast<size_t>(rows * cols), 0);
-  problem.step_cost.assign(problem.StepIndex(rows + 1, 0, GridHeading::kEast), step_cost);
-  return problem;
-}
-
-// Rows of text, the top one is the highest row: '#' core, other characters none.
-GridLoopProblem ParseCore(const std::vector<std::string>& text, uint16_t step_cost, int turn_cost) {
-  GridLoopProblem problem = MakeProblem(static_cast<int>(text.size()),
-                                        static_cast<int>(text[0].size()), step_cost, turn_cost);
-  for (int row = 0; row < problem.rows; ++row) {
-    for (int col = 0; col < problem.cols; ++col) {
-      const char c = text[static_cast<size_t>(problem.rows - 1 - row)][static_cast<size_t>(col)];
-      problem.core[static_cast<size_t>(row * problem.cols + col)] = c == '#';
-    }
-  }
-  return problem;
-}
-
-void SetEdge(GridLoopProblem& problem, GridVertex a, GridVertex b, uint16_t cost) {
-  const int dr = (b.row > a.row) - (b.row < a.row), dc = (b.col > a.col) - (b.col < a.col);
-  const auto heading = dc > 0   ? GridHeading::kEast
-                       : dr > 0 ? GridHeading::kNorth
-                       : dc < 0 ? GridHeading::kWest
-                                : GridHeading::kSouth;
-  for (; !(a == b); a = {a.row + dr, a.col + dc}) {
-    problem.step_cost[problem.StepIndex(a.row, a.col, heading)] = cost;
-  }
-}
-
-constexpr int kRowStep[4] = {0, 1, 0, -1};
-constexpr int kColStep[4] = {1, 0, -1, 0};
-
-bool IsCore(const GridLoopProblem& p, int row, int col) {
-  return row >= 0 && col >= 0 && row < p.rows && col < p.cols &&
-         p.core[static_cast<size_t>(row * p.cols + col)] != 0;
-}
 
 // The definition, as slowly as it reads: a graph whose nodes are (vertex, winding) and whose edges
 // are all straight runs, each costing a turn and its steps; every vertex is tried as first corner.
@@ -201,20 +160,6 @@ void ExpectEqualsBruteForce(const GridLoopProblem& problem) {
   ExpectValidRing(problem, report.ring);
 }
 
-// A random connected core: a random walk of cells.
-void AddRandomCore(GridLoopProblem& p, int num_cells, std::mt19937& random) {
-  int row = static_cast<int>(random() % static_cast<unsigned>(p.rows));
-  int col = static_cast<int>(random() % static_cast<unsigned>(p.cols));
-  for (int i = 0; i < num_cells; ++i) {
-    p.core[static_cast<size_t>(row * p.cols + col)] = 1;
-    const unsigned heading = random() % 4;
-    row = std::clamp(row + kRowStep[heading], 0, p.rows - 1);
-    col = std::clamp(col + kColStep[heading], 0, p.cols - 1);
-    if (random() % 2 != 0) continue;
-    p.core[static_cast<size_t>(row * p.cols + col)] = 1;
-  }
-}
-
 TEST(GridLoop, GoesRoundASingleCell) {
   const GridLoopProblem problem = ParseCore({"...", ".#.", "..."}, 3, 10);
   const GridLoopReport report = FindShortestLoop(problem);
@@ -290,37 +235,18 @@ TEST(GridLoop, EqualsBruteForceOnRandomGrids) {
   std::mt19937 random(1);
   for (int i = 0; i < 400; ++i) {
     SCOPED_TRACE(i);
-    GridLoopProblem problem =
-        MakeProblem(3 + static_cast<int>(random() % 6), 3 + static_cast<int>(random() % 6), 0,
-                    1 + static_cast<int>(random() % 12));
-    const unsigned max_cost = 1 + random() % 20;
-    const bool has_blocked = random() % 3 == 0;
-    for (uint16_t& cost : problem.step_cost) {
-      cost = static_cast<uint16_t>(random() % max_cost);
-      if (has_blocked && random() % 6 == 0) cost = kBlockedStep;
-    }
-    AddRandomCore(problem, 1 + static_cast<int>(random() % 12), random);
+    const GridLoopProblem problem = MakeRandomProblem(6, random);
     ExpectEqualsBruteForce(problem);
     if (HasFailure()) return;
   }
 }
 
-// Draws random rectilinear walks as free corridors on dear ground: cheap routes fold back over the
-// ray.
 TEST(GridLoop, EqualsBruteForceOnFoldedWalls) {
   std::mt19937 random(2);
   int num_folded = 0;
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(i);
-    GridLoopProblem problem = MakeProblem(10, 10, 60, 1);
-    problem.core[4 * 10 + 2 + random() % 3] = 1;
-    GridVertex at{static_cast<int>(random() % 11), static_cast<int>(random() % 11)};
-    for (int k = 0; k < 40; ++k) {
-      GridVertex next = at;
-      (k % 2 != 0 ? next.row : next.col) = static_cast<int>(random() % 11);
-      SetEdge(problem, at, next, 0);
-      at = next;
-    }
+    const GridLoopProblem problem = MakeFoldedProblem(10, 40, random);
     ExpectEqualsBruteForce(problem);
     num_folded += FindShortestLoop(problem).num_levels > 1;
     if (HasFailure()) return;
