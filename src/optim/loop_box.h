@@ -18,6 +18,12 @@ inline constexpr int kSouth = static_cast<int>(GridHeading::kSouth);
 inline int LeftOf(int heading) { return (heading + 1) & 3; }
 inline int RightOf(int heading) { return (heading + 3) & 3; }
 
+/// A step that leaves a vertex of a LoopBox.
+struct BoxStep {
+  int vertex = 0;
+  int heading = 0;
+};
+
 /// What is found before any search: whether there is one connected core to go round.
 [[nodiscard]] GridLoopOutcome CheckCore(const GridLoopProblem& problem);
 
@@ -46,8 +52,8 @@ class LoopBox {
   [[nodiscard]] uint16_t Step(int vertex, int heading) const {
     return step_[static_cast<size_t>(vertex) * 4 + static_cast<size_t>(heading)];
   }
-  void Block(int vertex, int heading) {
-    step_[static_cast<size_t>(vertex) * 4 + static_cast<size_t>(heading)] = kBlockedStep;
+  void Block(BoxStep step) {
+    step_[static_cast<size_t>(step.vertex) * 4 + static_cast<size_t>(step.heading)] = kBlockedStep;
   }
   [[nodiscard]] uint16_t max_step() const { return max_step_; }
 
