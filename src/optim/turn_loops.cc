@@ -3,6 +3,7 @@
 #include "enfilade/optim/turn_loops.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -50,9 +51,10 @@ std::optional<std::pair<BoxStep, BoxStep>> FindConflict(const LoopBox& box,
 
 class TurnLoopSolver {
  public:
-  explicit TurnLoopSolver(const TurnLoopProblem& problem) : box_(problem.grid) {
-    if (!problem.anchors.empty()) anchored_.emplace(problem, box_);
-  }
+  explicit TurnLoopSolver(const TurnLoopProblem& problem)
+      : box_(problem.grid),
+        anchored_(problem.anchors.empty() ? nullptr
+                                          : std::make_unique<AnchoredLoops>(problem, box_)) {}
 
   void Find(LoopsByTurns& loops) {
     if (anchored_) {
@@ -78,7 +80,7 @@ class TurnLoopSolver {
     open.push({crossing, *FindConflict(box_, crossing.corners), {}, 0});
     CornerLoop best;
     int num_solves = 0;
-    while (!open.empty() && open.top().loop.cost < best.cost && num_solves < max_solves) {
+    while (!open.empty() && open.top().loop.cost < best.cost && num_solves + 2 <= max_solves) {
       const Node node = open.top();
       open.pop();
       for (const BoxStep step : {node.conflict.first, node.conflict.second}) {
@@ -121,7 +123,7 @@ class TurnLoopSolver {
   }
 
   LoopBox box_;
-  std::optional<AnchoredLoops> anchored_;
+  std::unique_ptr<const AnchoredLoops> anchored_;  // none without anchors
   int64_t num_relaxed_ = 0;
 };
 

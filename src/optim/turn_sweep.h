@@ -25,8 +25,8 @@ struct SweepWindow {
 ///
 /// A state of layer k is (level, vertex, heading of the step that arrived there). With
 ///
-///     G_k[h](v + step) = step(v, h) + min(G_k[h](v), T_{k−1}(v)),
-///     T_k(v) = min over the two headings h of layer k of G_k[h](v)
+///     G_k(v + step, h) = step(v, h) + min(G_k(v, h), T_{k−1}(v)),
+///     T_k(v) = min over the two headings h of layer k of G_k(v, h)
 ///
 /// a layer is one sweep over the rows for each of its two headings: turns are right angles, so
 /// layers are vertical and horizontal by turns, and going straight on is the running minimum. No

@@ -56,9 +56,10 @@ struct TurnLoopReport {
 ///
 /// Requires arrays of the sizes that GridLoopProblem tells, and with anchors a guide that goes once
 /// round the core. Legs between adjacent anchors are optimal within their boxes. Anchors that no
-/// loop can pass are the outcome kNoRoute. Sums of 2³⁰ − 1 and more count as no route. Closed walks
-/// have an even number of turns. With k larger than the costs support the cheapest walk may cross
-/// itself, which is_simple tells. Ties are broken the same way on every run.
+/// loop can pass are the outcome kNoRoute. Loops that cost 2²⁹ − 1 or more count as none; with
+/// anchors legs that cost 2³⁰ − 1 or more. Closed walks have an even number of turns. With k larger
+/// than the costs support the cheapest walk may cross itself, which is_simple tells. Ties are
+/// broken the same way on every run.
 ///
 /// Method: docs/algorithms/grid_loop.md. The two-phase dynamic programme of Cabral and Furukawa
 /// (CVPR 2014, §5.4) with running minima along rows and columns instead of long edges: O(states)
