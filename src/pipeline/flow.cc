@@ -24,11 +24,11 @@
 #include "enfilade/model/extrude.h"
 #include "enfilade/model/texture.h"
 #include "enfilade/pipeline/evidence_file.h"
+#include "enfilade/pipeline/gather_evidence.h"
 #include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
 #include "enfilade/sfm/given_poses.h"
 #include "enfilade/structure/analyze.h"
-#include "src/pipeline/gather_evidence.h"
 #include "src/pipeline/scene_hash.h"
 
 namespace enfilade {

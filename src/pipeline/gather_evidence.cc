@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "src/pipeline/gather_evidence.h"
+#include "enfilade/pipeline/gather_evidence.h"
 
 #include <utility>
 

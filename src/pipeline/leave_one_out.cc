@@ -7,8 +7,8 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/solve.h"
+#include "enfilade/pipeline/gather_evidence.h"
 #include "enfilade/structure/analyze.h"
-#include "src/pipeline/gather_evidence.h"
 
 namespace enfilade {
 namespace {
