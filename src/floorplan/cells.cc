@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "src/floorplan/cells.h"
+#include "enfilade/floorplan/cells.h"
 
 #include <algorithm>
 #include <functional>
@@ -23,6 +23,14 @@ void VisitNeighbors(int cell, int rows, int cols, Visit&& visit) {
 }
 
 }  // namespace
+
+Ring2 RingInMetres(const GridFrame& frame, const std::vector<GridVertex>& ring) {
+  Ring2 result;
+  for (const GridVertex& vertex : ring) {
+    result.push_back(frame.origin + frame.cell_m * Eigen::Vector2d(vertex.col, vertex.row));
+  }
+  return result;
+}
 
 ImageU8 CellsInside(int rows, int cols, const std::vector<GridVertex>& ring) {
   ImageU8 inside(rows, cols);

@@ -75,7 +75,7 @@ void NormaliseCounts(const EvidenceGrids& evidence, const FloorplanOptions& opti
 
 }  // namespace
 
-LoopField MakeLoopField(const EvidenceGrids& evidence, const FloorplanOptions& options) {
+LoopField NormaliseEvidence(const EvidenceGrids& evidence, const FloorplanOptions& options) {
   LoopField field;
   field.frame = evidence.frame;
   const int rows = field.frame.rows, cols = field.frame.cols;
@@ -84,14 +84,20 @@ LoopField MakeLoopField(const EvidenceGrids& evidence, const FloorplanOptions& o
   field.faceness = ImageF(rows, cols);
   field.solidity = ImageF(rows, cols);
   field.has_freeness = evidence.mode == EvidenceMode::kLogOdds;
-  const double turn_cost_m =
-      field.has_freeness ? options.turn_cost_m : options.counts_turn_cells * field.frame.cell_m;
-  field.turn_cost = std::max(1, static_cast<int>(std::lround(turn_cost_m * kCostPerMetre)));
   if (field.has_freeness) {
     NormaliseLogOdds(evidence, options, field);
   } else {
     NormaliseCounts(evidence, options, field);
   }
+  return field;
+}
+
+LoopField MakeLoopField(const EvidenceGrids& evidence, const FloorplanOptions& options) {
+  LoopField field = NormaliseEvidence(evidence, options);
+  const int rows = field.frame.rows, cols = field.frame.cols;
+  const double turn_cost_m =
+      field.has_freeness ? options.turn_cost_m : options.counts_turn_cells * field.frame.cell_m;
+  field.turn_cost = std::max(1, static_cast<int>(std::lround(turn_cost_m * kCostPerMetre)));
 
   GridLoopProblem layout;
   layout.rows = rows;

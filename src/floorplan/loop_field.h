@@ -29,6 +29,10 @@ struct LoopField {
   std::vector<uint16_t> step_cost;
 };
 
+/// The evidence without costs.
+[[nodiscard]] LoopField NormaliseEvidence(const EvidenceGrids& evidence,
+                                          const FloorplanOptions& options);
+
 [[nodiscard]] LoopField MakeLoopField(const EvidenceGrids& evidence,
                                       const FloorplanOptions& options);
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "enfilade/base/run_context.h"
+#include "enfilade/floorplan/cells.h"
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/optim/grid_loop.h"
-#include "src/floorplan/cells.h"
 #include "src/floorplan/loop_field.h"
 
 namespace enfilade {

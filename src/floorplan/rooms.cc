@@ -60,12 +60,13 @@ std::vector<HeightSample> HeightSamples(const Scene& scene, const Structure& str
   return samples;
 }
 
-Ring2 RingInMetres(const GridFrame& frame, const std::vector<GridVertex>& ring) {
-  Ring2 result;
-  for (const GridVertex& vertex : ring) {
-    result.push_back(frame.origin + frame.cell_m * Vector2d(vertex.col, vertex.row));
+std::vector<PlanCamera> PlanCameras(const Scene& scene) {
+  std::vector<PlanCamera> cameras;
+  for (const View& view : scene.views) {
+    cameras.push_back({view.picture, view.sha256, view.storey_idx, view.component_idx,
+                       view.is_pose_inferred, view.world_from_cam});
   }
-  return result;
+  return cameras;
 }
 
 void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,

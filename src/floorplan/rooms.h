@@ -21,8 +21,7 @@ struct HeightSample {
 [[nodiscard]] std::vector<HeightSample> HeightSamples(const Scene& scene,
                                                       const Structure& structure, int storey_idx);
 
-/// The polygon on the grid as lengths.
-[[nodiscard]] Ring2 RingInMetres(const GridFrame& frame, const std::vector<GridVertex>& ring);
+[[nodiscard]] std::vector<PlanCamera> PlanCameras(const Scene& scene);
 
 /// Adds a room and its walls to the storey. Heights are weighted medians over the cameras inside,
 /// else those of the storey.

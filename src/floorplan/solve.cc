@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/floorplan/cells.h"
 #include "enfilade/geometry/boolean.h"
-#include "src/floorplan/cells.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/outline.h"
@@ -174,15 +174,6 @@ class Solver {
   RunContext& context_;
   FloorplanReport& report_;
 };
-
-std::vector<PlanCamera> PlanCameras(const Scene& scene) {
-  std::vector<PlanCamera> cameras;
-  for (const View& view : scene.views) {
-    cameras.push_back({view.picture, view.sha256, view.storey_idx, view.component_idx,
-                       view.is_pose_inferred, view.world_from_cam});
-  }
-  return cameras;
-}
 
 }  // namespace
 

@@ -5,12 +5,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "enfilade/evidence/grid.h"
+#include "enfilade/geometry/polygon2.h"
 #include "enfilade/image/image.h"
 #include "enfilade/optim/grid_loop.h"
 
 namespace enfilade {
 
 using ImageI = Image<int>;
+
+/// A ring of cell corners as lengths.
+[[nodiscard]] Ring2 RingInMetres(const GridFrame& frame, const std::vector<GridVertex>& ring);
 
 /// 1 for the cells inside a ring of cell corners.
 [[nodiscard]] ImageU8 CellsInside(int rows, int cols, const std::vector<GridVertex>& ring);

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "enfilade/floorplan/assemble.h"
+
+#include "enfilade/base/check.h"
+#include "src/floorplan/loop_field.h"
+#include "src/floorplan/rooms.h"
+
+namespace enfilade {
+
+Floorplan AssembleFloorplan(const Scene& scene, const Structure& structure,
+                            const std::vector<EvidenceGrids>& evidence,
+                            const std::vector<MultiPolygon2>& rooms,
+                            const FloorplanOptions& options) {
+  ENFILADE_CHECK(rooms.size() == structure.storeys.size() && evidence.size() == rooms.size());
+  Floorplan plan;
+  plan.home_from_world = structure.home_from_world;
+  plan.cameras = PlanCameras(scene);
+  for (size_t i = 0; i < rooms.size(); ++i) {
+    Storey& storey = plan.storeys.emplace_back();
+    storey.id = static_cast<int>(i);
+    storey.floor_z = structure.storeys[i].floor_z;
+    const LoopField field = NormaliseEvidence(evidence[i], options);
+    const std::vector<HeightSample> samples = HeightSamples(scene, structure, static_cast<int>(i));
+    for (const Polygon2& polygon : rooms[i]) {
+      AddRoom(field, polygon, structure.storeys[i], samples, options, storey);
+    }
+  }
+  return plan;
+}
+
+}  // namespace enfilade
