@@ -5,7 +5,7 @@
 # (scripts/check_layers.py) reads this list: a module may use only modules that stand before it.
 set(ENFILADE_MODULES
     base geometry optim image
-    scene sfm evidence structure floorplan model exchange evaluate
+    scene sfm evidence structure floorplan model exchange baselines evaluate
     synthetic pipeline)
 
 set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)

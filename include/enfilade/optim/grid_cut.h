@@ -41,7 +41,7 @@ struct GridCutReport {
 ///
 /// Augmenting paths from two search trees that are kept and mended: Boykov & Kolmogorov, "An
 /// Experimental Comparison of Min-Cut/Max-Flow Algorithms" (PAMI 2004), with neighbours found by
-/// arithmetic. Memory: 40 bytes a cell. The worst case is far beyond linear; on grids with
+/// arithmetic. Memory: 36 bytes a cell. The worst case is far beyond linear; on grids with
 /// evidence in most cells the time is about linear.
 [[nodiscard]] GridCutReport FindGridCut(const GridCutProblem& problem);
 
