@@ -17,6 +17,8 @@ std::span<const Command> Commands() {
       Command{"model", "Raise the plan to a model", SetupModel},
       Command{"export", "Write the drawings", SetupExport},
       Command{"evaluate", "Judge a result against the truth", SetupEvaluate},
+      Command{"baseline", "Draw the plan by the method that the paper compares with",
+              SetupBaseline},
       Command{"synth", "Make a home with its panoramas and its truth", SetupSynth},
       Command{"doctor", "Check memory, disk, pictures and helpers before starting", SetupDoctor},
       Command{"config", "List every option of every stage", SetupConfig},

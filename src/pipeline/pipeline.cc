@@ -19,8 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What belongs to no stage and judges the result of the last one.
-const std::vector<fs::path> kJudgements = {"evaluation.json", "overlay.png", "error_maps"};
+// What belongs to no stage and judges the result of the last one or stands beside it.
+const std::vector<fs::path> kJudgements = {"evaluation.json", "overlay.png", "error_maps",
+                                           "baselines"};
 
 size_t StageIndex(std::string_view name) {
   const auto names = StageNames();

@@ -38,6 +38,8 @@ class Workspace {
   [[nodiscard]] std::filesystem::path leave_one_out_folder() const {
     return root_ / "leave_one_out";
   }
+  /// Plans that rival methods draw from the same structure, a folder each.
+  [[nodiscard]] std::filesystem::path baselines_folder() const { return root_ / "baselines"; }
   [[nodiscard]] std::filesystem::path lock_file() const { return root_ / ".lock"; }
 
  private:
