@@ -5,37 +5,35 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "enfilade/base/check.h"
 
 namespace enfilade {
 namespace {
 
-enum class Tree : uint8_t { kNone, kSource, kSink };
+enum class Tree : uint8_t { kSource, kSink, kNone };
 
 // Directions are 0 … 3: +col, +row, −col, −row; the opposite of d is d ^ 2. A cell's parent is one
 // of them or:
 constexpr uint8_t kTerminal = 4;  // the cell hangs on source or sink itself
 constexpr uint8_t kOrphan = 5;    // it was cut off and waits for a new parent
-constexpr uint8_t kNoParent = 6;  // it is in no tree
-
-constexpr int32_t kNotQueued = -1;
-constexpr int32_t kNoWay = std::numeric_limits<int32_t>::max();
 
 struct Cell {
   std::array<int32_t, 4> residual{};  // what may still flow to the neighbour in each direction
   int32_t excess = 0;                 // residual from the source, or minus that to the sink
-  int32_t distance = 0;               // to the terminal along the tree, as known at `time`
-  int32_t time = 0;
-  int32_t next_active = kNotQueued;
+  int32_t level = 0;                  // steps to the terminal along the tree
   Tree tree = Tree::kNone;
-  uint8_t parent = kNoParent;
+  uint8_t parent = kOrphan;
 };
 
 // Two trees of cells, one of what the source reaches through edges with residual capacity, one of
-// what reaches the sink. They grow from their active cells until they meet; flow along the path
-// through both saturates edges; what hung on these looks for new parents. No path is left when no
-// cell is active.
+// what reaches the sink. Both are breadth-first: no residual edge leads over more than one level
+// upwards, and all cells below the last level have taken in their neighbours. They grow level by
+// level in turn. Where they touch, flow along the path through both saturates edges; what hung on
+// these looks for new parents at the lowest level there is. A tree without a last level has grown
+// to its end, and no path is left.
 class TwoTrees {
  public:
   explicit TwoTrees(const GridCutProblem& problem)
@@ -52,35 +50,49 @@ class TwoTrees {
   }
 
   void Saturate() {
-    for (int32_t cell = FirstActive(); cell >= 0; cell = FirstActive()) {
-      const Contact contact = Grow(cell);
-      if (contact.source_cell < 0) {
-        PopActive();
-        continue;
-      }
-      ++time_;
-      Augment(contact);
-      for (size_t i = 0; i < orphans_.size(); ++i) Adopt(orphans_[i]);
-      orphans_.clear();
+    while (!front_[0].cells.empty() && !front_[1].cells.empty()) {
+      const bool is_source_smaller = front_[0].cells.size() <= front_[1].cells.size();
+      GrowLevel(is_source_smaller ? Tree::kSource : Tree::kSink);
     }
   }
 
+  // What the source still reaches is the smallest source side.
   [[nodiscard]] GridCutReport TakeReport() {
-    // What the source still reaches is the smallest source side.
-    report_.is_source.resize(static_cast<size_t>(rows_) * static_cast<size_t>(cols_));
-    size_t i = 0;
+    std::vector<int32_t> reached;
+    for (int row = 0; row < rows_; ++row) {
+      for (int col = 0; col < cols_; ++col) {
+        const int32_t cell = IndexOf(row, col);
+        const bool is_root = At(cell).excess > 0;
+        At(cell).tree = is_root ? Tree::kSource : Tree::kNone;
+        if (is_root) reached.push_back(cell);
+      }
+    }
+    while (!reached.empty()) {
+      const int32_t cell = reached.back();
+      reached.pop_back();
+      for (int d = 0; d < 4; ++d) {
+        Cell& next = At(Neighbor(cell, d));
+        if (Residual(cell, d) <= 0 || next.tree == Tree::kSource) continue;
+        next.tree = Tree::kSource;
+        reached.push_back(Neighbor(cell, d));
+      }
+    }
+    report_.is_source.reserve(static_cast<size_t>(rows_) * static_cast<size_t>(cols_));
     for (int row = 0; row < rows_; ++row) {
       for (int col = 0; col < cols_; ++col)
-        report_.is_source[i++] = At(IndexOf(row, col)).tree == Tree::kSource;
+        report_.is_source.push_back(At(IndexOf(row, col)).tree == Tree::kSource);
     }
     return std::move(report_);
   }
 
  private:
-  // Where the trees touch: the way leads from a cell of the source's tree to one of the sink's.
-  struct Contact {
-    int32_t source_cell = -1;
-    int direction = 0;
+  // The last level of a tree, whose cells have not taken in their neighbours. Lists may hold cells
+  // that are no longer there.
+  struct Front {
+    int32_t level = 1;
+    int32_t highest = 1;  // that a cell may have: one more while the tree grows
+    std::vector<int32_t> cells;
+    std::vector<int32_t> next;  // those of level + 1
   };
 
   // A frame of cells without capacities lies round the grid, so that no step needs a check.
@@ -91,9 +103,10 @@ class TwoTrees {
   [[nodiscard]] int32_t Neighbor(int32_t cell, int direction) const {
     return cell + step_[static_cast<size_t>(direction)];
   }
-  // Room for flow from `from` to its neighbour.
-  [[nodiscard]] int32_t& Residual(int32_t from, int direction) {
-    return At(from).residual[static_cast<size_t>(direction)];
+  [[nodiscard]] Front& FrontOf(Tree tree) { return front_[static_cast<size_t>(tree)]; }
+  // Room for flow from a cell to its neighbour.
+  [[nodiscard]] int32_t& Residual(int32_t cell, int direction) {
+    return At(cell).residual[static_cast<size_t>(direction)];
   }
   // Room for flow between a cell and its neighbour, the way that flow takes in the tree where the
   // neighbour is the child: away from the source, towards the sink.
@@ -120,78 +133,71 @@ class TwoTrees {
     if (root.excess == 0) return;
     root.tree = root.excess > 0 ? Tree::kSource : Tree::kSink;
     root.parent = kTerminal;
-    root.distance = 1;
-    Activate(cell);
+    root.level = 1;
+    FrontOf(root.tree).cells.push_back(cell);
   }
 
-  // The queue of active cells: the last one points to itself.
-  void Activate(int32_t cell) {
-    if (At(cell).next_active != kNotQueued) return;
-    At(cell).next_active = cell;
-    if (first_active_ < 0) {
-      first_active_ = cell;
-    } else {
-      At(last_active_).next_active = cell;
-    }
-    last_active_ = cell;
+  void GrowLevel(Tree tree) {
+    Front& front = FrontOf(tree);
+    front.highest = front.level + 1;
+    // Cells may come to this level while it is passed through.
+    for (size_t i = 0; i < front.cells.size(); ++i) Scan(front.cells[i], tree);
+    ++front.level;
+    front.cells.swap(front.next);
+    front.next.clear();
   }
 
-  void PopActive() {
-    const int32_t cell = first_active_;
-    first_active_ = At(cell).next_active == cell ? -1 : At(cell).next_active;
-    At(cell).next_active = kNotQueued;
-  }
-
-  // Cells that fell out of their tree while they waited are passed over.
-  [[nodiscard]] int32_t FirstActive() {
-    while (first_active_ >= 0 && At(first_active_).tree == Tree::kNone) PopActive();
-    return first_active_;
-  }
-
-  // Takes in the free neighbours of a cell, or finds the other tree beside it.
-  Contact Grow(int32_t cell) {
-    const Tree tree = At(cell).tree;
-    for (int d = 0; d < 4; ++d) {
-      if (RoomToChild(tree, cell, d) <= 0) continue;
+  // Takes in the free neighbours of a cell and sends flow to those of the other tree.
+  void Scan(int32_t cell, Tree tree) {
+    const int32_t level = FrontOf(tree).level;
+    for (int d = 0; d < 4;) {
+      if (At(cell).tree != tree || At(cell).level != level) return;
       const int32_t next = Neighbor(cell, d);
-      Cell& neighbor = At(next);
-      if (neighbor.tree == Tree::kNone) {
-        neighbor.tree = tree;
-        HangOn(next, d ^ 2);
-        Activate(next);
-      } else if (neighbor.tree != tree) {
-        return tree == Tree::kSource ? Contact{cell, d} : Contact{next, d ^ 2};
-      } else if (neighbor.time <= At(cell).time && neighbor.distance > At(cell).distance) {
-        HangOn(next, d ^ 2);
+      if (RoomToChild(tree, cell, d) <= 0 || At(next).tree == tree) {
+        ++d;
+      } else if (At(next).tree == Tree::kNone) {
+        HangOn(next, d ^ 2, tree);
+        ++d;
+      } else if (tree == Tree::kSource) {
+        Augment(cell, d);
+      } else {
+        Augment(next, d ^ 2);
       }
     }
-    return {};
   }
 
-  void HangOn(int32_t cell, int direction) {
-    const Cell& parent = At(Neighbor(cell, direction));
-    At(cell).parent = static_cast<uint8_t>(direction);
-    At(cell).time = parent.time;
-    At(cell).distance = parent.distance + 1;
+  void HangOn(int32_t cell, int direction, Tree tree) {
+    Front& front = FrontOf(tree);
+    Cell& child = At(cell);
+    child.tree = tree;
+    child.parent = static_cast<uint8_t>(direction);
+    child.level = At(Neighbor(cell, direction)).level + 1;
+    if (child.level == front.level) front.cells.push_back(cell);
+    if (child.level == front.level + 1) front.next.push_back(cell);
   }
 
-  void Augment(const Contact& contact) {
-    const int32_t source_cell = contact.source_cell,
-                  sink_cell = Neighbor(source_cell, contact.direction);
-    const int32_t flow = std::min(
-        {Residual(source_cell, contact.direction), RoomToRoot(source_cell), RoomToRoot(sink_cell)});
-    Residual(source_cell, contact.direction) -= flow;
-    Residual(sink_cell, contact.direction ^ 2) += flow;
-    PushToRoot(source_cell, flow);
-    PushToRoot(sink_cell, flow);
+  // Sends flow from the source's tree through a cell and its neighbour to the sink.
+  void Augment(int32_t cell, int direction) {
+    const int32_t next = Neighbor(cell, direction);
+    const int32_t flow = std::min({Residual(cell, direction), RoomToRoot(cell), RoomToRoot(next)});
+    Residual(cell, direction) -= flow;
+    Residual(next, direction ^ 2) += flow;
     report_.cost += flow;
     ++report_.num_augmentations;
+    for (const int32_t end : {cell, next}) {
+      const Tree tree = At(end).tree;
+      PushToRoot(end, flow);
+      // Lower levels first: they are the parents of others.
+      std::reverse(orphans_.begin(), orphans_.end());
+      for (size_t i = 0; i < orphans_.size(); ++i) Adopt(orphans_[i], tree);
+      orphans_.clear();
+    }
   }
 
   // The least residual between a cell and its terminal.
   [[nodiscard]] int32_t RoomToRoot(int32_t cell) {
     const Tree tree = At(cell).tree;
-    int32_t room = kNoWay;
+    int32_t room = std::numeric_limits<int32_t>::max();
     for (; At(cell).parent != kTerminal; cell = Neighbor(cell, At(cell).parent)) {
       const int to_parent = At(cell).parent;
       room = std::min(room, RoomToChild(tree, Neighbor(cell, to_parent), to_parent ^ 2));
@@ -221,67 +227,39 @@ class TwoTrees {
     orphans_.push_back(cell);
   }
 
-  // Finds the neighbour in the same tree that is nearest to the terminal as new parent; where there
-  // is none, the cell leaves the tree and its children become orphans.
-  void Adopt(int32_t cell) {
-    const Tree tree = At(cell).tree;
-    int best = -1;
-    int32_t best_distance = kNoWay;
+  // Hangs an orphan on the neighbour at the lowest level. Where that is no longer the level it had,
+  // and where there is none so that it leaves the tree, its children become orphans.
+  void Adopt(int32_t cell, Tree tree) {
+    const int32_t old_level = At(cell).level;
+    int32_t level = FrontOf(tree).highest;
+    int parent = -1;
     for (int d = 0; d < 4; ++d) {
       const int32_t next = Neighbor(cell, d);
-      if (At(next).tree != tree || RoomToChild(tree, next, d ^ 2) <= 0) continue;
-      const int32_t distance = MeasureDistance(next);
-      if (distance >= best_distance) continue;
-      best = d;
-      best_distance = distance;
+      if (At(next).tree != tree || At(next).level >= level) continue;
+      if (RoomToChild(tree, next, d ^ 2) <= 0) continue;
+      level = At(next).level;
+      parent = d;
+      if (level + 1 == old_level) break;
     }
-    if (best >= 0) {
-      HangOn(cell, best);
-      return;
-    }
-    for (int d = 0; d < 4; ++d) {
-      const int32_t next = Neighbor(cell, d);
-      if (At(next).tree != tree) continue;
-      if (RoomToChild(tree, next, d ^ 2) > 0) Activate(next);
-      if (At(next).parent == (d ^ 2)) Orphan(next);
-    }
-    At(cell).tree = Tree::kNone;
-    At(cell).parent = kNoParent;
-  }
-
-  // Distance of a cell to its terminal, kNoWay when it hangs on an orphan. What is found on the way
-  // is noted, so that no way is walked twice between two augmentations.
-  [[nodiscard]] int32_t MeasureDistance(int32_t cell) {
-    int32_t distance = 0, top = cell;
-    while (true) {
-      Cell& upper = At(top);
-      if (upper.time == time_) {
-        distance += upper.distance;
-        break;
+    if (parent < 0 || level + 1 != old_level) {
+      for (int d = 0; d < 4; ++d) {
+        const int32_t next = Neighbor(cell, d);
+        if (At(next).tree == tree && At(next).parent == (d ^ 2)) Orphan(next);
       }
-      ++distance;
-      if (upper.parent == kTerminal) {
-        upper.time = time_;
-        upper.distance = 1;
-        break;
-      }
-      if (upper.parent == kOrphan) return kNoWay;
-      top = Neighbor(top, upper.parent);
     }
-    const int32_t result = distance;
-    for (; At(cell).time != time_; cell = Neighbor(cell, At(cell).parent)) {
-      At(cell).time = time_;
-      At(cell).distance = distance--;
+    if (parent >= 0) {
+      HangOn(cell, parent, tree);
+    } else {
+      At(cell).tree = Tree::kNone;
+      At(cell).parent = kOrphan;
     }
-    return result;
   }
 
   const int rows_, cols_;
   const std::array<int32_t, 4> step_;
   std::vector<Cell> cells_;
   std::vector<int32_t> orphans_;
-  int32_t first_active_ = -1, last_active_ = -1;
-  int32_t time_ = 0;
+  std::array<Front, 2> front_;
   GridCutReport report_;
 };
 

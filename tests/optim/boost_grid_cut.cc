@@ -4,7 +4,6 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
-#include <boost/graph/push_relabel_max_flow.hpp>
 #include <vector>
 
 namespace enfilade {
@@ -53,7 +52,7 @@ BoostGridCut::BoostGridCut(const GridCutProblem& problem) : graph_(new Graph) {
 
 BoostGridCut::~BoostGridCut() = default;
 
-int64_t BoostGridCut::SolveByTwoTrees() {
+int64_t BoostGridCut::Solve() {
   Adjacency& adjacency = graph_->adjacency;
   const size_t num_vertices = boost::num_vertices(adjacency);
   const auto index = boost::get(boost::vertex_index, adjacency);
@@ -67,14 +66,6 @@ int64_t BoostGridCut::SolveByTwoTrees() {
       boost::make_iterator_property_map(color.begin(), index),
       boost::make_iterator_property_map(distance.begin(), index), index, graph_->source,
       graph_->sink);
-}
-
-int64_t BoostGridCut::SolveByPushRelabel() {
-  Adjacency& adjacency = graph_->adjacency;
-  return boost::push_relabel_max_flow(
-      adjacency, graph_->source, graph_->sink, boost::get(&Edge::capacity, adjacency),
-      boost::get(&Edge::residual, adjacency), boost::get(&Edge::reverse, adjacency),
-      boost::get(boost::vertex_index, adjacency));
 }
 
 }  // namespace enfilade

@@ -9,7 +9,8 @@
 
 namespace enfilade {
 
-/// Boost.Graph on a general graph with the same nodes and edges as a grid, as reference and rival.
+/// boykov_kolmogorov_max_flow of Boost.Graph on a general graph with the same nodes and edges as a
+/// grid, as reference and rival.
 class BoostGridCut {
  public:
   explicit BoostGridCut(const GridCutProblem& problem);
@@ -18,8 +19,7 @@ class BoostGridCut {
   BoostGridCut& operator=(const BoostGridCut&) = delete;
 
   /// The largest flow; may be called again.
-  [[nodiscard]] int64_t SolveByTwoTrees();     ///< boykov_kolmogorov_max_flow
-  [[nodiscard]] int64_t SolveByPushRelabel();  ///< push_relabel_max_flow
+  [[nodiscard]] int64_t Solve();
 
  private:
   struct Graph;

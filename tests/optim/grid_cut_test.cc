@@ -85,9 +85,7 @@ TEST(GridCut, EqualsBoostOnRandomGrids) {
   for (int trial = 0; trial < 400; ++trial) {
     const GridCutProblem problem = RandomProblem(random, 30);
     const GridCutReport cut = FindGridCut(problem);
-    BoostGridCut boost(problem);
-    ASSERT_EQ(cut.cost, trial % 2 == 0 ? boost.SolveByTwoTrees() : boost.SolveByPushRelabel())
-        << trial;
+    ASSERT_EQ(cut.cost, BoostGridCut(problem).Solve()) << trial;
     ASSERT_EQ(cut.cost, CostOfCut(problem, cut.is_source)) << trial;
   }
 }
@@ -109,7 +107,7 @@ TEST(GridCut, EqualsBoostOnBlobs) {
     problem.east_capacity.assign(problem.source_capacity.size(), price);
     problem.north_capacity = problem.east_capacity;
     const GridCutReport cut = FindGridCut(problem);
-    ASSERT_EQ(cut.cost, BoostGridCut(problem).SolveByTwoTrees()) << trial;
+    ASSERT_EQ(cut.cost, BoostGridCut(problem).Solve()) << trial;
     ASSERT_EQ(cut.cost, CostOfCut(problem, cut.is_source)) << trial;
   }
 }
@@ -184,7 +182,7 @@ TEST(GridCut, LargestCapacitiesDoNotOverflow) {
   for (const size_t i : {5, 6, 7, 8}) problem.sink_capacity[i] = kMaxGridCapacity;
   const GridCutReport cut = FindGridCut(problem);
   EXPECT_EQ(cut.cost, int64_t{4} * kMaxGridCapacity);
-  EXPECT_EQ(cut.cost, BoostGridCut(problem).SolveByTwoTrees());
+  EXPECT_EQ(cut.cost, BoostGridCut(problem).Solve());
 }
 
 TEST(GridCut, WhatNothingPullsIsOnTheSinksSide) {

@@ -39,10 +39,10 @@ struct GridCutReport {
 /// Requires arrays of rows × cols within the bounds above; the last column of east_capacity and the
 /// last row of north_capacity lead out of the grid and are ignored.
 ///
-/// Augmenting paths from two search trees that are kept and mended: Boykov & Kolmogorov, "An
-/// Experimental Comparison of Min-Cut/Max-Flow Algorithms" (PAMI 2004), with neighbours found by
-/// arithmetic. Memory: 36 bytes a cell. The worst case is far beyond linear; on grids with
-/// evidence in most cells the time is about linear.
+/// Augmenting paths from two breadth-first trees that are kept and mended: Goldberg, Hed, Kaplan,
+/// Tarjan & Werneck, "Maximum Flows by Incremental Breadth-First Search" (ESA 2011), with
+/// neighbours found by arithmetic. Memory: 28 bytes a cell and lists. Time O(cells³) at worst; on
+/// grids with evidence in most cells about linear, growing with the price of the border.
 [[nodiscard]] GridCutReport FindGridCut(const GridCutProblem& problem);
 
 /// What a cut with these sides costs; `is_source` as in GridCutReport.
