@@ -39,10 +39,12 @@ void ScaleCounts(const ImageF& counts, double good, std::vector<int32_t>& capaci
 void AddCounts(const EvidenceGrids& evidence, const PlaneCutOptions& options,
                GridCutProblem& problem) {
   const double width = evidence.frame.cell_m / options.reference_cell_m;
-  const double good_points = options.good_wall_points > 0 ? options.good_wall_points * width * width
-                                                          : MeanCount(evidence.wall);
-  const double good_rays =
-      options.good_free_rays > 0 ? options.good_free_rays * width : MeanCount(evidence.free);
+  const double good_points = options.good_wall_points > 0
+                                 ? options.good_wall_points * width * width
+                                 : options.good_wall_share * MeanCount(evidence.wall);
+  const double good_rays = options.good_free_rays > 0
+                               ? options.good_free_rays * width
+                               : options.good_free_share * MeanCount(evidence.free);
   ScaleCounts(evidence.wall, good_points, problem.sink_capacity);
   ScaleCounts(evidence.free, good_rays, problem.source_capacity);
 }

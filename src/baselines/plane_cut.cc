@@ -68,9 +68,13 @@ MultiPolygon2 CutStorey(const EvidenceGrids& evidence, const PlaneCutOptions& op
 void PlaneCutOptions::Visit(OptionVisitor& v) {
   v("lambda", lambda, "Price of a side between inside and outside.", {0, 100000});
   v("good_wall_points", good_wall_points,
-    "Counts: wall points of a well supported cell; 0: the mean of cells with any.", {0, 1e6});
+    "Counts: wall points of a well supported cell; 0: good_wall_share.", {0, 1e6});
   v("good_free_rays", good_free_rays,
-    "Counts: rays across a cell that is surely free; 0: the mean of cells with any.", {0, 1e6});
+    "Counts: rays across a cell that is surely free; 0: good_free_share.", {0, 1e6});
+  v("good_wall_share", good_wall_share,
+    "Counts: the same as share of the mean number of points in cells with any.", {0.001, 1000});
+  v("good_free_share", good_free_share,
+    "Counts: the same as share of the mean number of rays across cells with any.", {0.001, 1000});
   v("reference_cell_m", reference_cell_m, "Side of the cells that the numbers above are for.",
     {0.001, 1});
   v("log_odds_scale", log_odds_scale, "Log-odds: cost of one of them.", {0.01, 1000});

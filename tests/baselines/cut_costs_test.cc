@@ -48,11 +48,11 @@ TEST(CutCosts, CountsAreThoseOfReferenceCells) {
   EXPECT_EQ(problem.east_capacity[0], 50);
 }
 
-TEST(CutCosts, TheMeanOfWhatIsThereIsGoodWhereNothingElseIsSaid) {
-  const GridCutProblem problem =
-      MakeCutProblem(RowOf(EvidenceMode::kCounts, {0, 2, 6}, {0, 0, 3}), {});
+TEST(CutCosts, SharesOfTheMeanAreGoodWhereNothingElseIsSaid) {
+  const GridCutProblem problem = MakeCutProblem(RowOf(EvidenceMode::kCounts, {0, 2, 6}, {0, 0, 3}),
+                                                {.good_wall_share = 1, .good_free_share = 0.5});
   EXPECT_EQ(MiddleRow(problem, problem.sink_capacity), (std::vector<int32_t>{0, 0, 100}));
-  EXPECT_EQ(MiddleRow(problem, problem.source_capacity), (std::vector<int32_t>{0, 0, 50}));
+  EXPECT_EQ(MiddleRow(problem, problem.source_capacity), (std::vector<int32_t>{0, 0, 150}));
 }
 
 TEST(CutCosts, LogOddsAreCostsAsTheyAre) {

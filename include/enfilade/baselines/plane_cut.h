@@ -23,6 +23,8 @@ struct PlaneCutOptions {
   double lambda = 100;
   double good_wall_points = 0;
   double good_free_rays = 0;
+  double good_wall_share = 1;
+  double good_free_share = 0.25;
   double reference_cell_m = 0.013;
   double log_odds_scale = 100;
   double min_hole_m2 = 0.25;
@@ -54,8 +56,9 @@ struct PlaneCutReport {
 /// outlines follow every cell. Walls stay on the grid.
 ///
 /// Evidence of raw counts x is scaled to 100 · clamp(x / x_good − 0.5, 0, 2.55). Where the number
-/// that makes a cell good is 0 it is the mean of the cells with any. Log-odds l of a wall face and
-/// of free space are costs as they are, wall(c) − free(c) = log_odds_scale · (l_wall − l_free).
+/// that makes a cell good is 0 it is a share of the mean of the cells with any. Log-odds l of a
+/// wall face and of free space are costs as they are, wall(c) − free(c) = log_odds_scale · (l_wall
+/// − l_free).
 ///
 /// `evidence` has one entry a storey of `structure`. Guarantees: rings are simple and rooms of a
 /// storey disjoint; the same result for any number of threads. Of cuts that cost the same the one
