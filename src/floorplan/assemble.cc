@@ -5,6 +5,7 @@
 #include "enfilade/base/check.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/rooms.h"
+#include "src/floorplan/wall_thickness.h"
 
 namespace enfilade {
 
@@ -25,6 +26,7 @@ Floorplan AssembleFloorplan(const Scene& scene, const Structure& structure,
     for (const Polygon2& polygon : rooms[i]) {
       AddRoom(field, polygon, structure.storeys[i], samples, options, storey);
     }
+    MeasureThickness(options.openings.max_wall_m, storey);
   }
   return plan;
 }

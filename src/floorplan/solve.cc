@@ -18,6 +18,7 @@
 #include "src/floorplan/slide.h"
 #include "src/floorplan/split_rooms.h"
 #include "src/floorplan/unseen_space.h"
+#include "src/floorplan/wall_thickness.h"
 
 namespace enfilade {
 namespace {
@@ -126,6 +127,7 @@ class Solver {
                 Storey& storey) {
     for (const Polygon2& polygon : polygons)
       AddRoom(field, polygon, heights, samples, options_, storey);
+    MeasureThickness(options_.openings.max_wall_m, storey);
   }
 
   void TakeIn(const LoopField& field, std::vector<Polygon2>& polygons) {
