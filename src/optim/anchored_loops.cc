@@ -138,7 +138,9 @@ SweepWindow AnchoredLoops::WindowOf(size_t leg_idx, const TurnLoopProblem& probl
 }
 
 size_t AnchoredLoops::WayIndex(int start_heading, int end_heading, int num_turns) const {
-  return static_cast<size_t>((start_heading * 4 + end_heading) * (max_leg_turns_ + 1) + num_turns);
+  return static_cast<size_t>(start_heading * 4 + end_heading) *
+             static_cast<size_t>(max_leg_turns_ + 1) +
+         static_cast<size_t>(num_turns);
 }
 
 void AnchoredLoops::SolveLeg(size_t leg_idx, const LoopBox& box) {

@@ -85,7 +85,7 @@ size_t TurnSweep::Index(int vertex, int level) const {
   }
   ENFILADE_CHECK(level >= window_.low_level);
   return static_cast<size_t>(level - window_.low_level) * level_size_ +
-         static_cast<size_t>(row * cols_ + col);
+         static_cast<size_t>(row) * static_cast<size_t>(cols_) + static_cast<size_t>(col);
 }
 
 void TurnSweep::StartAtSeams(int first_seam, std::span<const int32_t> costs) {
@@ -163,14 +163,14 @@ void TurnSweep::SweepNorth() {
     std::fill_n(first_.begin() + static_cast<ptrdiff_t>(base), cols_, kNone);
     std::fill_n(codes + base, cols_, uint8_t{0});
     if (level == 0 && top_row_ < rows_) {
-      const size_t top = static_cast<size_t>(top_row_ * cols_);
+      const size_t top = static_cast<size_t>(top_row_) * static_cast<size_t>(cols_);
       std::fill_n(codes + top, cols_, uint8_t{0});
       std::fill_n(first_.begin() + static_cast<ptrdiff_t>(top), cols_, kNone);
       std::copy(start_costs_.begin(), start_costs_.end(),
                 first_.begin() + static_cast<ptrdiff_t>(top) + seam_col_ + first_start_seam_);
     }
     for (int row = 0; row + 1 < rows_; ++row) {
-      const size_t step = static_cast<size_t>(row * cols_), at = base + step;
+      const size_t step = static_cast<size_t>(row) * static_cast<size_t>(cols_), at = base + step;
       const bool is_below_ray = row + 1 == top_row_;
       const int num_same = is_below_ray ? seam_col_ : cols_;
       const auto step_row = [&](size_t from, size_t size, size_t to) {
@@ -197,11 +197,11 @@ void TurnSweep::SweepSouth() {
     const size_t last = base + level_size_ - static_cast<size_t>(cols_);
     std::fill_n(second_.begin() + static_cast<ptrdiff_t>(last), cols_, kNone);
     if (level + 1 == num_levels_ && top_row_ < rows_) {
-      const size_t bottom = base + static_cast<size_t>((top_row_ - 1) * cols_);
+      const size_t bottom = base + static_cast<size_t>(top_row_ - 1) * static_cast<size_t>(cols_);
       std::fill_n(second_.begin() + static_cast<ptrdiff_t>(bottom), cols_, kNone);
     }
     for (int row = rows_ - 1; row >= 0; --row) {
-      const size_t step = static_cast<size_t>(row * cols_), at = base + step;
+      const size_t step = static_cast<size_t>(row) * static_cast<size_t>(cols_), at = base + step;
       const bool is_above_ray = row == top_row_;
       const int num_same = is_above_ray ? seam_col_ : cols_;
       const auto step_row = [&](size_t from, size_t size, int32_t* next, uint8_t* next_code) {

@@ -32,7 +32,8 @@ struct TurnLoopProblem {
   int leg_margin_cells = 40;  ///< a leg stays in the box of its part of the guide, grown by so much
   /// Where the cheapest loop crosses itself, look for the cheapest that does not, with so many
   /// further solves at most for each number of turns. Where they do not suffice the result is the
-  /// cheapest found, or the one that crosses itself.
+  /// cheapest found, or the one that crosses itself. Without anchors each costs about as much as
+  /// the whole rest.
   int max_untangling_solves = 0;
 };
 
