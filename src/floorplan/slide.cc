@@ -15,6 +15,8 @@ using Eigen::Vector2d;
 
 constexpr double kMinGap_m = 0.05;  // between rings, and between the two faces of a wall
 constexpr double kShortestEdge_m = 1e-3;
+constexpr double kSquare = 1e-6;          // cosines nearer to 1 are those of a right angle
+constexpr double kMinMeetingSine = 0.15;  // lines at smaller angles meet nowhere sure
 
 struct Edge {
   size_t polygon, ring, index;  // ring 0 is the outer one
@@ -88,25 +90,48 @@ bool IsValid(Polygon2& polygon, size_t ring_idx) {
   return true;
 }
 
-/// Moves one edge unless a neighbour would turn round or the polygon would break.
+/// Where an edge's end `v` comes to when the edge moves by `shift`, along its normal, and the
+/// neighbour that it shares the end with stays on its line; none where the two hardly part.
+std::optional<Vector2d> ShiftedEnd(const Vector2d& v, const Vector2d& neighbour,
+                                   const Vector2d& shift) {
+  const double distance_m = shift.norm(), along_m = neighbour.normalized().dot(shift);
+  if (std::abs(along_m) >= (1 - kSquare) * distance_m) return v + shift;
+  if (std::abs(along_m) < kMinMeetingSine * distance_m) return std::nullopt;
+  return v + distance_m * distance_m / along_m * neighbour.normalized();
+}
+
+/// The part of the jog that lies across the walls beside it.
+Vector2d Across(const Vector2d& jog, const Vector2d& wall) {
+  const double along_m = jog.dot(wall.normalized());
+  return std::abs(along_m) <= kSquare * jog.norm() ? jog : jog - along_m * wall.normalized();
+}
+
+/// Moves one edge unless it or a neighbour would turn round or the polygon would break.
 bool MoveEdge(Polygon2& polygon, size_t ring_idx, size_t i, const Vector2d& shift) {
   Ring2& ring = RingOf(polygon, ring_idx);
   const size_t n = ring.size(), j = (i + 1) % n;
-  const Vector2d in = ring[i] - ring[(i + n - 1) % n], out = ring[(j + 1) % n] - ring[j];
-  const auto keeps_direction = [](const Vector2d& before, const Vector2d& after) {
-    return before.dot(after) > 0 && after.norm() > kShortestEdge_m;
-  };
-  if (!keeps_direction(in, in + shift) || !keeps_direction(out, out - shift)) return false;
+  const Vector2d before = ring[(i + n - 1) % n], after = ring[(j + 1) % n];
   const Vector2d old_i = ring[i], old_j = ring[j];
-  ring[i] += shift;
-  ring[j] += shift;
+  const std::optional<Vector2d> new_i = ShiftedEnd(old_i, old_i - before, shift),
+                                new_j = ShiftedEnd(old_j, after - old_j, shift);
+  if (!new_i || !new_j) return false;
+  const auto keeps_direction = [](const Vector2d& old_edge, const Vector2d& new_edge) {
+    return old_edge.dot(new_edge) > 0 && new_edge.norm() > kShortestEdge_m;
+  };
+  if (!keeps_direction(old_i - before, *new_i - before) ||
+      !keeps_direction(old_j - old_i, *new_j - *new_i) ||
+      !keeps_direction(after - old_j, after - *new_j))
+    return false;
+  ring[i] = *new_i;
+  ring[j] = *new_j;
   if (IsValid(polygon, ring_idx)) return true;
   ring[i] = old_i;
   ring[j] = old_j;
   return false;
 }
 
-/// Puts the two walls beside the jog i on the line of the one that weighs more; the jog vanishes.
+/// Puts the two parallel walls beside the jog i on the line of the one that weighs more; the jog
+/// vanishes.
 bool StraightenJog(const WallWeight& weight, Polygon2& polygon, size_t ring_idx, size_t i) {
   Ring2& ring = RingOf(polygon, ring_idx);
   const Ring2 old = ring;
@@ -115,12 +140,15 @@ bool StraightenJog(const WallWeight& weight, Polygon2& polygon, size_t ring_idx,
   const Vector2d jog = ring[j] - ring[i];
   const size_t before = (i + n - 1) % n, after = (j + 1) % n;
   const Vector2d in = ring[i] - ring[before], out = ring[after] - ring[j];
-  if (in.dot(out) <= 0) return false;  // the end of a thin wall or a niche
-  if (weight(ring[before], ring[i]) >= weight(ring[j], ring[after])) {
-    ring[after] -= jog;
-  } else {
-    ring[before] += jog;
-  }
+  // Else it is the end of a thin wall or a niche, or the walls belong to an angle.
+  if (in.normalized().dot(out.normalized()) < 1 - kSquare) return false;
+  const bool keeps_first = weight(ring[before], ring[i]) >= weight(ring[j], ring[after]);
+  const size_t moved = keeps_first ? after : before;
+  const Vector2d beyond = ring[keeps_first ? (after + 1) % n : (before + n - 1) % n];
+  const std::optional<Vector2d> end =
+      ShiftedEnd(ring[moved], beyond - ring[moved], Across(jog, out) * (keeps_first ? -1 : 1));
+  if (!end) return false;
+  ring[moved] = *end;
   ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
   ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
   if (IsSimple(ring) && IsValid(polygon, ring_idx)) return true;

@@ -11,10 +11,11 @@
 
 namespace enfilade {
 
-/// Moves every edge of axis-parallel polygons, which have the rooms inside, along its normal onto
-/// the wall evidence within reach_m. Edges stay where the move would break a polygon, and where two
-/// faces of one wall would fall together: evidence too blurred to tell them apart. Jogs that become
-/// shorter than min_jog_m are straightened. Returns the number of edges moved.
+/// Moves every edge of the polygons, which have the rooms inside, along its normal onto the wall
+/// evidence within reach_m; the edges beside it become longer or shorter. Edges stay where the move
+/// would break a polygon, and where two faces of one wall would fall together: evidence too blurred
+/// to tell them apart. Jogs that become shorter than min_jog_m are straightened. Returns the number
+/// of edges moved.
 int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
                     std::vector<Polygon2>& polygons);
 
@@ -22,8 +23,8 @@ int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
 using WallWeight = std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b)>;
 [[nodiscard]] double LengthOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
-/// Where a jog shorter than min_jog_m parts two walls, puts both on the line of the one that weighs
-/// more; not if that would break the polygon.
+/// Where a jog shorter than min_jog_m parts two parallel walls, puts both on the line of the one
+/// that weighs more; not if that would break the polygon.
 void StraightenJogs(double min_jog_m, const WallWeight& weight, Polygon2& polygon);
 
 }  // namespace enfilade

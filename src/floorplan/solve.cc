@@ -13,6 +13,7 @@
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
+#include "src/floorplan/oblique.h"
 #include "src/floorplan/outline.h"
 #include "src/floorplan/rooms.h"
 #include "src/floorplan/slide.h"
@@ -164,6 +165,7 @@ class Solver {
       report_.num_inner_loops += static_cast<int>(polygons[k].holes.size());
       report_.num_inner_walls += outline.num_inner_walls;
     }
+    DrawObliqueWalls(field, options_, context_, polygons);
     if (options_.slide_m > 0 && field.has_freeness) {
       report_.num_slid_segments +=
           SlideToEvidence(field, options_.slide_m, options_.min_jog_m, polygons);
@@ -202,6 +204,10 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
     "Free space between an inner wall and the outside that is no gap.", {0, 10});
   v("max_island_cost", max_island_cost, "Largest cost a metre of a loop round an inner wall.",
     {0, 100});
+  v("min_oblique_m", min_oblique_m, "Shortest wall that may run along neither axis; 0: none does.",
+    {0, 10});
+  v("heading_cost_m", heading_cost_m,
+    "Cost of a wall's heading off the axes; a quarter of it at 45 degrees.", {0, 10});
   v("slide_m", slide_m, "How far walls may slide to the evidence; 0 leaves them on the grid.",
     {0, 1});
   v("min_jog_m", min_jog_m, "Shorter jogs between two walls are straightened.", {0, 1});

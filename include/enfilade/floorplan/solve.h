@@ -36,6 +36,9 @@ struct FloorplanOptions {
   double max_bridge_m = 0.15;
   double max_island_cost = 0.5;
 
+  double min_oblique_m = 0.4;
+  double heading_cost_m = 0.25;
+
   double slide_m = 0.15;
   double min_jog_m = 0.05;
   double min_room_m2 = 0.25;
@@ -70,9 +73,10 @@ struct FloorplanReport {
 /// A step of the loop costs its length where no wall is seen, more where free space lies outside or
 /// solid wall inside, and every corner costs turn_cost_m. Solid wall that the loop encloses is cut
 /// out: as a bay of the outline where it hangs together with the outside, else as a hole with its
-/// own loop. Then every segment slides along its normal to the wall evidence. Cores get disjoint
-/// territories, so rooms do not overlap. Rooms are cut at walls with doors that the views' pictures
-/// show (view.path; views without one are passed over).
+/// own loop. Runs of the loop beside walls that run along neither axis are redrawn straight where a
+/// straight face is seen. Then every segment slides along its normal to the wall evidence. Cores
+/// get disjoint territories, so rooms do not overlap. Rooms are cut at walls with doors that the
+/// views' pictures show (view.path; views without one are passed over).
 ///
 /// Evidence of raw counts is drawn with the cost of the paper: a cell of the outline costs one
 /// where it has fewer than counts_threshold wall points, a corner counts_turn_cells; free space has
