@@ -11,6 +11,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/cells.h"
 #include "enfilade/geometry/boolean.h"
+#include "src/floorplan/join_rooms.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/oblique.h"
@@ -110,13 +111,22 @@ class Solver {
     RemoveOverlaps(polygons);
     std::erase_if(polygons,
                   [&](const Polygon2& polygon) { return Area(polygon) < options_.min_room_m2; });
-    if (field.has_freeness) TakeIn(field, polygons);
+    if (!field.has_freeness) {
+      AddRooms(field, polygons, heights, samples, storey);
+      return;
+    }
+    const size_t num_entered = polygons.size();
+    TakeIn(field, polygons);
     AddRooms(field, polygons, heights, samples, storey);
-    if (!field.has_freeness) return;
-    const std::vector<Polygon2> parts =
+    // Cuts leave walls that nobody saw: what is to be joined is found before and joined after.
+    const MultiPolygon2 gaps = FindUnseenWalls(field, options_.slide_m, num_entered, polygons);
+    std::vector<Polygon2> parts =
         SplitRoomsAtDoors(scene_, report_.plan.home_from_world, field, storey, storey.id,
                           options_.wall_thickness_m, options_.openings, context_);
-    if (parts.size() == polygons.size()) return;
+    const bool is_cut = parts.size() != polygons.size();
+    const int num_joined = JoinAcross(gaps, parts);
+    report_.num_joined += num_joined;
+    if (!is_cut && num_joined == 0) return;
     storey.rooms.clear();
     storey.walls.clear();
     AddRooms(field, parts, heights, samples, storey);

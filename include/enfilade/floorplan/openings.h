@@ -12,7 +12,7 @@ namespace enfilade {
 /// How doors are found in the pictures.
 struct OpeningOptions {
   double step_m = 0.02;
-  double min_door_log_odds = 0;
+  double min_door_log_odds = -0.25;
   double min_opening_strength = 1;
   double min_window_strength = 2.5;
   double max_wall_m = 0.45;

@@ -63,6 +63,7 @@ struct FloorplanReport {
   int num_inner_loops = 0;  ///< holes: pillars and free-standing walls
   int num_inner_walls = 0;  ///< walls that run into a room from its outline
   int num_slid_segments = 0;
+  int num_joined = 0;       ///< rooms joined across walls that nobody saw
   double unseen_m2 = 0;     ///< space between rooms that was taken in though nobody saw it
   int64_t num_settled = 0;  ///< states that the loop solver visited
   Floorplan plan;           ///< empty storeys where nothing was found
