@@ -58,25 +58,7 @@ class TwoTrees {
 
   // What the source still reaches is the smallest source side.
   [[nodiscard]] GridCutReport TakeReport() {
-    std::vector<int32_t> reached;
-    for (int row = 0; row < rows_; ++row) {
-      for (int col = 0; col < cols_; ++col) {
-        const int32_t cell = IndexOf(row, col);
-        const bool is_root = At(cell).excess > 0;
-        At(cell).tree = is_root ? Tree::kSource : Tree::kNone;
-        if (is_root) reached.push_back(cell);
-      }
-    }
-    while (!reached.empty()) {
-      const int32_t cell = reached.back();
-      reached.pop_back();
-      for (int d = 0; d < 4; ++d) {
-        Cell& next = At(Neighbor(cell, d));
-        if (Residual(cell, d) <= 0 || next.tree == Tree::kSource) continue;
-        next.tree = Tree::kSource;
-        reached.push_back(Neighbor(cell, d));
-      }
-    }
+    MarkReached();
     report_.is_source.reserve(static_cast<size_t>(rows_) * static_cast<size_t>(cols_));
     for (int row = 0; row < rows_; ++row) {
       for (int col = 0; col < cols_; ++col)
@@ -255,6 +237,26 @@ class TwoTrees {
     }
   }
 
+  // Leaves in the source's tree all that residual edges lead to from the source, and nothing else.
+  void MarkReached() {
+    std::vector<int32_t> reached;
+    for (int32_t cell = 0; cell < static_cast<int32_t>(cells_.size()); ++cell) {
+      const bool is_root = At(cell).excess > 0;
+      At(cell).tree = is_root ? Tree::kSource : Tree::kNone;
+      if (is_root) reached.push_back(cell);
+    }
+    while (!reached.empty()) {
+      const int32_t cell = reached.back();
+      reached.pop_back();
+      for (int d = 0; d < 4; ++d) {
+        Cell& next = At(Neighbor(cell, d));
+        if (Residual(cell, d) <= 0 || next.tree == Tree::kSource) continue;
+        next.tree = Tree::kSource;
+        reached.push_back(Neighbor(cell, d));
+      }
+    }
+  }
+
   const int rows_, cols_;
   const std::array<int32_t, 4> step_;
   std::vector<Cell> cells_;
@@ -265,6 +267,9 @@ class TwoTrees {
 
 void RequireValid(const GridCutProblem& problem) {
   ENFILADE_CHECK(problem.rows >= 0 && problem.cols >= 0);
+  // Cells and the frame round them are numbered in 32 bits.
+  ENFILADE_CHECK((int64_t{problem.rows} + 2) * (int64_t{problem.cols} + 2) <=
+                 std::numeric_limits<int32_t>::max());
   const size_t num_cells = problem.Index(problem.rows, 0);
   for (const std::vector<int32_t>* capacity : {&problem.source_capacity, &problem.sink_capacity,
                                                &problem.east_capacity, &problem.north_capacity}) {
