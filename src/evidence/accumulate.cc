@@ -26,20 +26,67 @@ void AddPoints(const PointCounts& counts, const AccumulateOptions& options, Evid
   }
 }
 
-// The paper's maps: every column is one wall point at its most likely distance and one ray.
+// Neighbouring columns see one surface where their distances differ by less than this part.
+constexpr double kMaxJump = 0.1;
+
+// What a column says, between its neighbours: a direction and the wall's distance in it.
+struct Reading {
+  Eigen::Vector2d direction;
+  double wall_m;
+};
+
+// Part `share` of the way from a column to its neighbour. On one straight wall 1/distance is linear
+// in the azimuth.
+Reading Between(const WallSample& sample, const WallSample& neighbor, double share) {
+  Reading reading{(sample.direction + share * (neighbor.direction - sample.direction)).normalized(),
+                  sample.wall_m};
+  const double jump = std::abs(neighbor.wall_m - sample.wall_m);
+  if (jump < kMaxJump * std::min(neighbor.wall_m, sample.wall_m)) {
+    reading.wall_m = 1 / ((1 - share) / sample.wall_m + share / neighbor.wall_m);
+  }
+  return reading;
+}
+
+// The readings of column i, so close together that they leave no cell between them at its wall.
+std::vector<Reading> ReadingsOf(const std::vector<WallSample>& samples, size_t i, double cell_m) {
+  const WallSample& sample = samples[i];
+  const auto neighbor = [&](bool is_next) -> const WallSample* {
+    if (is_next ? i + 1 >= samples.size() : i == 0) return nullptr;
+    const WallSample& other = samples[is_next ? i + 1 : i - 1];
+    const bool is_beside = other.view_idx == sample.view_idx && !other.wall_probability.empty() &&
+                           (other.direction - sample.direction).norm() < 1.5 * sample.spread_rad;
+    return is_beside ? &other : nullptr;
+  };
+  std::vector<Reading> readings = {{sample.direction, sample.wall_m}};
+  const int num_beside =
+      static_cast<int>(std::ceil(0.5 * (sample.wall_m * sample.spread_rad / cell_m - 1)));
+  for (const bool is_next : {false, true}) {
+    const WallSample* other = neighbor(is_next);
+    for (int k = 1; other != nullptr && k <= num_beside; ++k) {
+      readings.push_back(Between(sample, *other, static_cast<double>(k) / (2 * num_beside + 1)));
+    }
+  }
+  return readings;
+}
+
+// The paper's maps: a column is a wall point at its most likely distance and a ray, several where
+// columns are farther apart than a cell.
 void ReplaceByCounts(const WallSampleSet& samples, const PointCounts& counts,
                      const AccumulateOptions& options, double ray_margin_m, EvidenceGrids& grids) {
   grids.wall = counts.wall;
   grids.free = counts.rays;
-  for (const WallSample& sample : samples.samples) {
+  for (size_t i = 0; i < samples.samples.size(); ++i) {
+    const WallSample& sample = samples.samples[i];
     if (sample.wall_probability.empty()) continue;
-    const double reach = std::min(sample.wall_m, options.max_range_m + ray_margin_m);
-    CountRay(grids.frame, sample.origin, sample.origin + reach * sample.direction, ray_margin_m,
-             grids.free);
-    if (sample.wall_m > options.max_range_m) continue;
-    const Eigen::Vector2d point = sample.origin + sample.wall_m * sample.direction;
-    const int row = grids.frame.Row(point.y()), col = grids.frame.Col(point.x());
-    if (grids.frame.IsInside(row, col)) grids.wall(row, col) += 1;
+    for (const Reading& reading : ReadingsOf(samples.samples, i, options.cell_m)) {
+      const double reach = std::min(reading.wall_m, options.max_range_m + ray_margin_m);
+      CountRay(grids.frame, sample.origin, sample.origin + reach * reading.direction, ray_margin_m,
+               grids.free);
+      if (reading.wall_m > options.max_range_m) continue;
+      const Eigen::Vector2d point = sample.origin + reading.wall_m * reading.direction;
+      const int row = grids.frame.Row(point.y()), col = grids.frame.Col(point.x());
+      if (grids.frame.IsInside(row, col)) grids.wall(row, col) += 1;
+    }
   }
 }
 
@@ -57,7 +104,6 @@ EvidenceGrids EmptyGrids(const GridFrame& frame, EvidenceMode mode) {
 }  // namespace
 
 void AccumulateOptions::Visit(OptionVisitor& v) {
-  v("mode", mode, "What the grids hold: log-odds, or raw counts as Cabral & Furukawa (2014).");
   v("cell_m", cell_m, "Side of a grid cell.", {0.005, 0.5});
   v("margin_m", margin_m, "Border round everything seen.", {0.1, 5});
   v("max_range_m", max_range_m, "Columns say nothing beyond this distance.", {1, 100});

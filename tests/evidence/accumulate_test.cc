@@ -257,13 +257,13 @@ TEST(AccumulateEvidence, CountsAreRaysAndPoints) {
   options.mode = EvidenceMode::kCounts;
   options.cell_m = 0.1;
   PlanToSample plan = PlanFromText("0,0 4,0 4,4 0,4", {{2.03, 2.04}});
-  plan.num_columns = 100;
+  plan.num_columns = 200;  // less than a cell apart at the walls
   const EvidenceGrids grids = Accumulate(SamplesOf(plan), options);
   EXPECT_EQ(grids.mode, EvidenceMode::kCounts);
-  EXPECT_EQ(At(grids, grids.free, 2.03, 2.04), 100);  // every ray starts here
+  EXPECT_EQ(At(grids, grids.free, 2.03, 2.04), 200);  // every ray starts here
   float points = 0, ring = 0;
   for (float w : grids.wall.data()) points += w;
-  EXPECT_EQ(points, 100);
+  EXPECT_EQ(points, 200);
   // Rays cross a ring of cells round the camera at least once each.
   for (int k = -5; k <= 5; ++k) {
     ring +=
@@ -272,8 +272,21 @@ TEST(AccumulateEvidence, CountsAreRaysAndPoints) {
       ring +=
           At(grids, grids.free, 2.05 + 0.1 * k, 2.55) + At(grids, grids.free, 2.05 + 0.1 * k, 1.55);
   }
-  EXPECT_GE(ring, 100);
+  EXPECT_GE(ring, 200);
   EXPECT_EQ(At(grids, grids.free, 4.25, 2), 0);
+}
+
+TEST(AccumulateEvidence, CountsLeaveNoGapsFarFromTheCamera) {
+  AccumulateOptions options;
+  options.mode = EvidenceMode::kCounts;
+  PlanToSample plan = PlanFromText("0,0 10,0 10,4 0,4", {{1.01, 2.02}});
+  plan.num_columns = 512;  // 11 cm apart at the far wall
+  const EvidenceGrids grids = Accumulate(SamplesOf(plan), options);
+  for (double y = 0.3; y < 3.7; y += options.cell_m) {
+    EXPECT_GE(At(grids, grids.wall, 9.99, y) + At(grids, grids.wall, 10.01, y), 1) << y;
+    EXPECT_GE(At(grids, grids.free, 9.8, y), 1) << y;
+    EXPECT_EQ(At(grids, grids.free, 10.1, y), 0) << y;
+  }
 }
 
 TEST(AccumulateEvidence, PointsAddTheirEvidence) {

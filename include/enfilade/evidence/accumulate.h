@@ -13,7 +13,7 @@ namespace enfilade {
 
 /// How wall samples become grids.
 struct AccumulateOptions {
-  EvidenceMode mode = EvidenceMode::kLogOdds;
+  EvidenceMode mode = EvidenceMode::kLogOdds;  ///< chosen by who needs the grids, not by users
   double cell_m = 0.025;
   double margin_m = 0.5;
   double max_range_m = 15;
