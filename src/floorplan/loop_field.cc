@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "enfilade/base/check.h"
+
 namespace enfilade {
 namespace {
 
@@ -65,17 +67,10 @@ void NormaliseLogOdds(const EvidenceGrids& evidence, const FloorplanOptions& opt
   }
 }
 
-void NormaliseCounts(const EvidenceGrids& evidence, const FloorplanOptions& options,
-                     LoopField& field) {
-  for (size_t i = 0; i < evidence.wall.data().size(); ++i) {
-    field.faceness.data()[i] =
-        evidence.wall.data()[i] >= static_cast<float>(options.counts_threshold) ? 1 : 0;
-  }
-}
-
 }  // namespace
 
 LoopField NormaliseEvidence(const EvidenceGrids& evidence, const FloorplanOptions& options) {
+  ENFILADE_CHECK(evidence.mode == EvidenceMode::kLogOdds);
   LoopField field;
   field.frame = evidence.frame;
   const int rows = field.frame.rows, cols = field.frame.cols;
@@ -83,21 +78,14 @@ LoopField NormaliseEvidence(const EvidenceGrids& evidence, const FloorplanOption
   field.freeness = ImageF(rows, cols);
   field.faceness = ImageF(rows, cols);
   field.solidity = ImageF(rows, cols);
-  field.has_freeness = evidence.mode == EvidenceMode::kLogOdds;
-  if (field.has_freeness) {
-    NormaliseLogOdds(evidence, options, field);
-  } else {
-    NormaliseCounts(evidence, options, field);
-  }
+  NormaliseLogOdds(evidence, options, field);
   return field;
 }
 
 LoopField MakeLoopField(const EvidenceGrids& evidence, const FloorplanOptions& options) {
   LoopField field = NormaliseEvidence(evidence, options);
   const int rows = field.frame.rows, cols = field.frame.cols;
-  const double turn_cost_m =
-      field.has_freeness ? options.turn_cost_m : options.counts_turn_cells * field.frame.cell_m;
-  field.turn_cost = std::max(1, static_cast<int>(std::lround(turn_cost_m * kCostPerMetre)));
+  field.turn_cost = std::max(1, static_cast<int>(std::lround(options.turn_cost_m * kCostPerMetre)));
 
   GridLoopProblem layout;
   layout.rows = rows;

@@ -18,10 +18,9 @@ inline constexpr double kCostPerMetre = 1000;
 /// The evidence of one storey as the loop solver needs it.
 struct LoopField {
   GridFrame frame;
-  ImageF wall;               ///< log-odds of a wall face, or their number
-  bool has_freeness = true;  ///< false for raw counts: freeness is 0 everywhere
-  ImageF freeness;           ///< 1 surely free, 0 unknown, −1 surely solid
-  ImageF faceness;           ///< 0 no wall face seen in the cell … 1 one surely seen
+  ImageF wall;      ///< log-odds of a wall face
+  ImageF freeness;  ///< 1 surely free, 0 unknown, −1 surely solid
+  ImageF faceness;  ///< 0 no wall face seen in the cell … 1 one surely seen
   ImageF
       solidity;  ///< log-odds that the cell is solid wall or, where walls are thin, a blurred face
   int turn_cost = 1;
@@ -29,10 +28,11 @@ struct LoopField {
   std::vector<uint16_t> step_cost;
 };
 
-/// The evidence without costs.
+/// The evidence, which must be in log-odds, without costs.
 [[nodiscard]] LoopField NormaliseEvidence(const EvidenceGrids& evidence,
                                           const FloorplanOptions& options);
 
+/// Requires evidence in log-odds.
 [[nodiscard]] LoopField MakeLoopField(const EvidenceGrids& evidence,
                                       const FloorplanOptions& options);
 

@@ -481,7 +481,7 @@ void DrawObliqueWalls(const LoopField& field, const FloorplanOptions& options, P
 
 void DrawObliqueWalls(const LoopField& field, const FloorplanOptions& options, RunContext& context,
                       std::vector<Polygon2>& polygons) {
-  if (options.min_oblique_m <= 0 || !field.has_freeness) return;
+  if (options.min_oblique_m <= 0) return;
   ParallelFor(context, "oblique walls", static_cast<int64_t>(polygons.size()), [&](int64_t i) {
     DrawObliqueWalls(field, options, polygons[static_cast<size_t>(i)]);
   });

@@ -15,7 +15,6 @@ using Eigen::Vector2d;
 
 constexpr double kSeenShare = 0.7;
 constexpr double kMinSigma_m = 0.015;
-constexpr double kInferredSigma_m = 0.25;
 
 /// The smallest value with at least half of the weight at or below it.
 double WeightedMedian(std::vector<std::pair<double, double>> values, double fallback) {
@@ -37,15 +36,18 @@ Wall MakeWall(const LoopField& field, const Vector2d& a, const Vector2d& b,
   wall.b = b;
   wall.thickness_m = options.wall_thickness_m;
   const WallBand band = MeasureWallBand(field, a, b, options.slide_m);
-  wall.seen = band.seen_share >= kSeenShare         ? WallSeen::kSeen
-              : band.seen_share >= kPartlySeenShare ? WallSeen::kPartly
-                                                    : WallSeen::kInferred;
+  wall.seen = SeenOf(band.seen_share);
   const bool is_measured = band.has_peak && wall.seen != WallSeen::kInferred;
   wall.sigma_m = is_measured ? std::max(band.sigma_m, kMinSigma_m) : kInferredSigma_m;
   return wall;
 }
 
 }  // namespace
+
+WallSeen SeenOf(double seen_share) {
+  if (seen_share >= kSeenShare) return WallSeen::kSeen;
+  return seen_share >= kPartlySeenShare ? WallSeen::kPartly : WallSeen::kInferred;
+}
 
 std::vector<HeightSample> HeightSamples(const Scene& scene, const Structure& structure,
                                         int storey_idx) {
@@ -69,11 +71,9 @@ std::vector<PlanCamera> PlanCameras(const Scene& scene) {
   return cameras;
 }
 
-void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
-             const std::vector<HeightSample>& samples, const FloorplanOptions& options,
-             Storey& storey) {
+Room MakeRoom(const Polygon2& polygon, const StoreyStructure& heights,
+              const std::vector<HeightSample>& samples) {
   Room room;
-  room.id = static_cast<int>(storey.rooms.size());
   room.polygon = polygon;
   std::vector<std::pair<double, double>> floors, ceilings;
   for (const HeightSample& sample : samples) {
@@ -83,7 +83,14 @@ void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStruct
   }
   room.floor_z = WeightedMedian(floors, heights.floor_z);
   room.ceiling_z = WeightedMedian(ceilings, heights.ceiling_z);
+  return room;
+}
 
+void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
+             const std::vector<HeightSample>& samples, const FloorplanOptions& options,
+             Storey& storey) {
+  Room room = MakeRoom(polygon, heights, samples);
+  room.id = static_cast<int>(storey.rooms.size());
   double variance = 0;
   const auto add_walls = [&](const Ring2& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {

@@ -10,6 +10,11 @@
 
 namespace enfilade {
 
+inline constexpr double kInferredSigma_m = 0.25;  ///< of the offset of a wall that nobody saw
+
+/// What is said of a wall of whose length this share was seen.
+[[nodiscard]] WallSeen SeenOf(double seen_share);
+
 /// What profiles say about heights, at a camera's place in the plan.
 struct HeightSample {
   Eigen::Vector2d position;
@@ -23,8 +28,12 @@ struct HeightSample {
 
 [[nodiscard]] std::vector<PlanCamera> PlanCameras(const Scene& scene);
 
-/// Adds a room and its walls to the storey. Heights are weighted medians over the cameras inside,
-/// else those of the storey.
+/// A room without walls. Heights are weighted medians over the cameras inside, else those of the
+/// storey.
+[[nodiscard]] Room MakeRoom(const Polygon2& polygon, const StoreyStructure& heights,
+                            const std::vector<HeightSample>& samples);
+
+/// Adds a room (MakeRoom) and its walls to the storey.
 void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
              const std::vector<HeightSample>& samples, const FloorplanOptions& options,
              Storey& storey);

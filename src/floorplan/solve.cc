@@ -6,63 +6,35 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/cells.h"
+#include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/join_rooms.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/oblique.h"
 #include "src/floorplan/outline.h"
+#include "src/floorplan/paper_storey.h"
 #include "src/floorplan/rooms.h"
 #include "src/floorplan/slide.h"
 #include "src/floorplan/split_rooms.h"
+#include "src/floorplan/territories.h"
 #include "src/floorplan/unseen_space.h"
 #include "src/floorplan/wall_thickness.h"
 
 namespace enfilade {
 namespace {
 
-/// The cells of every core; of a core in several pieces, the largest.
-std::vector<ImageU8> SeparateCores(const EvidenceGrids& evidence) {
-  std::vector<ImageU8> cores;
-  for (int k = 1; k <= evidence.num_cores; ++k) {
-    ImageU8 cells(evidence.frame.rows, evidence.frame.cols);
-    for (size_t i = 0; i < cells.data().size(); ++i) cells.data()[i] = evidence.core.data()[i] == k;
-    const std::vector<CellSet> sets = ConnectedCells(cells);
-    if (sets.empty()) continue;
-    const CellSet& largest =
-        *std::max_element(sets.begin(), sets.end(),
-                          [](const CellSet& a, const CellSet& b) { return a.size() < b.size(); });
-    std::fill(cells.data().begin(), cells.data().end(), uint8_t{0});
-    for (const int cell : largest) cells.data()[static_cast<size_t>(cell)] = 1;
-    cores.push_back(std::move(cells));
+ImageI TerritoriesOf(const LoopField& field, const std::vector<ImageU8>& cores) {
+  ImageF solid(field.frame.rows, field.frame.cols);
+  for (size_t i = 0; i < solid.data().size(); ++i) {
+    solid.data()[i] = std::max({-field.freeness.data()[i], field.faceness.data()[i], 0.0F});
   }
-  return cores;
-}
-
-/// For every cell the core from which it is reached most easily, walls being hard to pass: cores
-/// meet in the middle of the wall between them.
-ImageI AssignTerritories(const LoopField& field, const std::vector<ImageU8>& cores) {
-  ImageF cost(field.frame.rows, field.frame.cols);
-  ImageI source(field.frame.rows, field.frame.cols, 1, -1);
-  for (size_t i = 0; i < cost.data().size(); ++i) {
-    const float solid = std::max(-field.freeness.data()[i], field.faceness.data()[i]);
-    cost.data()[i] = 1 + 30 * std::max(solid, 0.0F);
-    for (size_t k = 0; k < cores.size(); ++k) {
-      if (cores[k].data()[i] != 0) source.data()[i] = static_cast<int>(k);
-    }
-  }
-  return FindCellWays(cost, source).source;
-}
-
-ImageU8 ForeignCells(const ImageI& territories, int own) {
-  ImageU8 foreign(territories.rows(), territories.cols());
-  for (size_t i = 0; i < foreign.data().size(); ++i)
-    foreign.data()[i] = territories.data()[i] != own;
-  return foreign;
+  return AssignTerritories(solid, cores);
 }
 
 Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
@@ -103,6 +75,10 @@ class Solver {
     Storey& storey = report_.plan.storeys.emplace_back();
     storey.id = static_cast<int>(report_.plan.storeys.size()) - 1;
     storey.floor_z = heights.floor_z;
+    if (options_.mode == FloorplanMode::kPaper) {
+      AddPaperStorey(evidence, heights, samples, options_, context_, report_);
+      return;
+    }
     const std::vector<ImageU8> cores = SeparateCores(evidence);
     report_.num_cores += static_cast<int>(cores.size());
     if (cores.empty()) return;
@@ -111,10 +87,6 @@ class Solver {
     RemoveOverlaps(polygons);
     std::erase_if(polygons,
                   [&](const Polygon2& polygon) { return Area(polygon) < options_.min_room_m2; });
-    if (!field.has_freeness) {
-      AddRooms(field, polygons, heights, samples, storey);
-      return;
-    }
     const size_t num_entered = polygons.size();
     TakeIn(field, polygons);
     AddRooms(field, polygons, heights, samples, storey);
@@ -151,7 +123,7 @@ class Solver {
   }
 
   std::vector<Polygon2> DrawPolygons(const LoopField& field, const std::vector<ImageU8>& cores) {
-    const ImageI territories = AssignTerritories(field, cores);
+    const ImageI territories = TerritoriesOf(field, cores);
     std::vector<Polygon2> polygons(cores.size());
     std::vector<GridOutline> outlines(cores.size());
     ParallelFor(context_, "floorplan", static_cast<int64_t>(cores.size()), [&](int64_t task) {
@@ -176,7 +148,7 @@ class Solver {
       report_.num_inner_walls += outline.num_inner_walls;
     }
     DrawObliqueWalls(field, options_, context_, polygons);
-    if (options_.slide_m > 0 && field.has_freeness) {
+    if (options_.slide_m > 0) {
       report_.num_slid_segments +=
           SlideToEvidence(field, options_.slide_m, options_.min_jog_m, polygons);
     }
@@ -189,9 +161,21 @@ class Solver {
   FloorplanReport& report_;
 };
 
+void Dial(const FloorplanOptions& options, FloorplanReport& report) {
+  std::optional<Floorplan> plan = PlanWithVertices(report.plan, options.vertices);
+  if (plan) {
+    report.plan = *std::move(plan);
+    return;
+  }
+  report.outcome = FloorplanOutcome::kNoSuchNumber;
+  report.reason = WhyNoSuchNumber(report.plan, options.vertices);
+}
+
 }  // namespace
 
 void FloorplanOptions::Visit(OptionVisitor& v) {
+  v("mode", mode, "Rooms with inner walls, or one outline as Cabral & Furukawa (2014) draw it.");
+  v("vertices", vertices, "Mode paper: corners of all outlines; 0: as many as pay.", {0, 1e6});
   v("turn_cost_m", turn_cost_m, "Cost of a corner, in metres of unseen wall.", {0.001, 10});
   v("margin_m", margin_m, "How far from the core walls are looked for.", {0.05, 100});
   v("seen_wall_log_odds", seen_wall_log_odds, "Wall evidence from which a wall counts as seen.",
@@ -200,11 +184,6 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
   v("outside_weight", outside_weight, "Cost of a square metre of free space left outside.",
     {0, 1000});
   v("inside_weight", inside_weight, "Cost of a square metre of solid wall taken in.", {0, 1000});
-  v("counts_threshold", counts_threshold,
-    "Evidence of raw counts: wall points from which a cell's wall counts as seen.", {1, 1e6});
-  v("counts_turn_cells", counts_turn_cells,
-    "Evidence of raw counts: cost of a corner in unseen cells, instead of turn_cost_m.",
-    {0.1, 1e6});
   v("wall_share", wall_share, "Weight of faces beside free space when solid wall is looked for.",
     {0, 10});
   v("solid_log_odds", solid_log_odds, "How surely not free a cell of solid wall is.", {0, 100});
@@ -229,10 +208,17 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
   v("unseen_hole_m2", unseen_hole_m2,
     "Unseen space up to this large lies in it if rooms surround it.", {0, 100});
   v("openings", openings, "Doors, found in the pictures.");
+  v("paper", paper, "Mode paper.");
+}
+
+std::span<const std::string_view> EnumNames(FloorplanMode) {
+  static constexpr std::array<std::string_view, 2> kNames = {"full", "paper"};
+  return kNames;
 }
 
 std::span<const std::string_view> EnumNames(FloorplanOutcome) {
-  static constexpr std::array<std::string_view, 3> kNames = {"found", "no_core", "no_loop"};
+  static constexpr std::array<std::string_view, 4> kNames = {"found", "no_core", "no_loop",
+                                                             "no_such_number"};
   return kNames;
 }
 
@@ -254,6 +240,7 @@ FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
   } else {
     report.outcome = report.num_loops > 0 ? FloorplanOutcome::kFound : FloorplanOutcome::kNoLoop;
   }
+  if (options.vertices > 0 && report.outcome == FloorplanOutcome::kFound) Dial(options, report);
   return report;
 }
 

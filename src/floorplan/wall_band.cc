@@ -27,7 +27,6 @@ float Sample(const GridFrame& frame, const ImageF& image, const Vector2d& p) {
 /// with more free space before it than behind it.
 float FaceAt(const LoopField& field, const Vector2d& p, const Vector2d& normal) {
   const float wall = std::max(Sample(field.frame, field.wall, p), 0.0F);
-  if (!field.has_freeness) return wall;
   const float before = Sample(field.frame, field.freeness, p + kGateDistance_m * normal);
   const float behind = Sample(field.frame, field.freeness, p - kGateDistance_m * normal);
   return wall * std::clamp(before - behind, 0.0F, 1.0F);

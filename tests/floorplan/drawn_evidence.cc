@@ -91,6 +91,32 @@ EvidenceGrids DrawEvidence(const MultiPolygon2& free, const DrawOptions& options
   return grids;
 }
 
+EvidenceGrids DrawCounts(const MultiPolygon2& free, const std::vector<Vector2d>& cameras,
+                         const DrawOptions& options) {
+  EvidenceGrids grids = DrawEvidence(free, options);
+  grids.mode = EvidenceMode::kCounts;
+  grids.support = ImageU8(grids.frame.rows, grids.frame.cols);
+  const MultiPolygon2 passed = Offset(free, -0.05);
+  for (int row = 0; row < grids.frame.rows; ++row) {
+    for (int col = 0; col < grids.frame.cols; ++col) {
+      const Vector2d p = grids.frame.Center(row, col);
+      const bool is_passed =
+          std::any_of(passed.begin(), passed.end(),
+                      [&](const Polygon2& polygon) { return Contains(polygon, p); });
+      grids.wall(row, col) = grids.wall(row, col) > 1 ? 7 : 0;
+      grids.free(row, col) = is_passed ? 40 : 0;
+      grids.support(row, col) = is_passed ? kSupportTwoDirections : 0;
+    }
+  }
+  for (size_t i = 0; i < cameras.size(); ++i)
+    grids.cameras.push_back({static_cast<int>(i), cameras[i]});
+  return grids;
+}
+
+void EraseCore(const Polygon2& region, EvidenceGrids& grids) {
+  ForCellsIn(region, grids, [&](int row, int col) { grids.core(row, col) = 0; });
+}
+
 void EraseEvidence(const Polygon2& region, EvidenceGrids& grids) {
   ForCellsIn(region, grids,
              [&](int row, int col) { grids.free(row, col) = grids.wall(row, col) = 0; });

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 #include "enfilade/evidence/types.h"
 #include "enfilade/geometry/polygon2.h"
@@ -26,6 +28,15 @@ struct DrawOptions {
 /// region eroded by core_distance_m.
 [[nodiscard]] EvidenceGrids DrawEvidence(const MultiPolygon2& free,
                                          const DrawOptions& options = {});
+
+/// The same as raw counts, with cameras: 7 points in the cells beside the rings, 40 rays across
+/// free cells but those within 5 cm of a wall, all free space sure.
+[[nodiscard]] EvidenceGrids DrawCounts(const MultiPolygon2& free,
+                                       const std::vector<Eigen::Vector2d>& cameras,
+                                       const DrawOptions& options = {});
+
+/// Forgets the core within `region`: nobody stands there.
+void EraseCore(const Polygon2& region, EvidenceGrids& grids);
 
 /// Forgets everything within `region` but the core.
 void EraseEvidence(const Polygon2& region, EvidenceGrids& grids);

@@ -121,22 +121,6 @@ TEST(SolveFloorplan, ABlurredThinWallIsFollowedThoughItsFacesMelt) {
   ExpectPlan(report, truth, 0.03);
 }
 
-TEST(SolveFloorplan, RawCountsAreDrawnWithTheCostOfThePaper) {
-  // Walls seen but for the middle of the north side.
-  const MultiPolygon2 truth = {Box(0, 0, 4, 3)};
-  EvidenceGrids grids = DrawEvidence(truth);
-  grids.mode = EvidenceMode::kCounts;
-  for (float& wall : grids.wall.data()) wall = wall > 1 ? 7 : 0;
-  for (float& free : grids.free.data()) free = free > 0 ? 40 : 0;
-  EraseEvidence(Box(1, 2.8, 3, 3.2), grids);
-  const FloorplanReport report = Solve(grids);
-  ExpectPlan(report, truth, 0.026);  // the outline may run on either side of the wall's cells
-  EXPECT_EQ(report.num_slid_segments, 0);
-  // Fewer points than the threshold are no wall: the loop then hugs the core.
-  const FloorplanReport blind = Solve(grids, {.counts_threshold = 8});
-  EXPECT_NEAR(Area(Region(blind)), 3.8 * 2.8, 0.1);
-}
-
 TEST(SolveFloorplan, APillarIsAHole) {
   MultiPolygon2 truth = {Box(0, 0, 5, 4)};
   truth[0].holes.push_back(ParseRing("2,1.5 2,2 2.5,2 2.5,1.5"));

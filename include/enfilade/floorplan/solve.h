@@ -11,23 +11,30 @@
 #include "enfilade/base/run_context.h"
 #include "enfilade/evidence/types.h"
 #include "enfilade/floorplan/openings.h"
+#include "enfilade/floorplan/paper.h"
 #include "enfilade/floorplan/types.h"
 #include "enfilade/scene/types.h"
 #include "enfilade/structure/types.h"
 
 namespace enfilade {
 
+enum class FloorplanMode {
+  kFull,   ///< rooms with inner walls, from log-odds
+  kPaper,  ///< one outline from raw counts, as Cabral & Furukawa (2014) published it
+};
+[[nodiscard]] std::span<const std::string_view> EnumNames(FloorplanMode);
+
 /// How the outlines are drawn. All costs are in metres of unseen wall.
 struct FloorplanOptions {
+  FloorplanMode mode = FloorplanMode::kFull;
+  int vertices = 0;  ///< corners of all outlines together; 0: as many as pay
+
   double turn_cost_m = 0.25;
   double margin_m = 2.5;
   double seen_wall_log_odds = 2;
   double free_depth_m = 0.5;
   double outside_weight = 8;
   double inside_weight = 8;
-
-  int counts_threshold = 5;
-  double counts_turn_cells = 5;
 
   double wall_share = 0.5;
   double solid_log_odds = 0.5;
@@ -49,10 +56,12 @@ struct FloorplanOptions {
 
   OpeningOptions openings = {};  ///< where rooms are cut; for FindOpenings
 
+  PaperOptions paper;
+
   void Visit(OptionVisitor& v);
 };
 
-enum class FloorplanOutcome { kFound, kNoCore, kNoLoop };
+enum class FloorplanOutcome { kFound, kNoCore, kNoLoop, kNoSuchNumber };
 [[nodiscard]] std::span<const std::string_view> EnumNames(FloorplanOutcome);
 
 struct FloorplanReport {
@@ -63,10 +72,11 @@ struct FloorplanReport {
   int num_inner_loops = 0;  ///< holes: pillars and free-standing walls
   int num_inner_walls = 0;  ///< walls that run into a room from its outline
   int num_slid_segments = 0;
-  int num_joined = 0;       ///< rooms joined across walls that nobody saw
-  double unseen_m2 = 0;     ///< space between rooms that was taken in though nobody saw it
-  int64_t num_settled = 0;  ///< states that the loop solver visited
-  Floorplan plan;           ///< empty storeys where nothing was found
+  int num_joined = 0;              ///< rooms joined across walls that nobody saw
+  double unseen_m2 = 0;            ///< space between rooms that was taken in though nobody saw it
+  int64_t num_settled = 0;         ///< states that the loop solver visited
+  Floorplan plan;                  ///< empty storeys where nothing was found
+  std::vector<PaperStorey> paper;  ///< FloorplanMode::kPaper: how the plan came about, by storey
 };
 
 /// Draws the rooms of every storey: for each core component the cheapest Manhattan loop round it.
@@ -79,11 +89,12 @@ struct FloorplanReport {
 /// get disjoint territories, so rooms do not overlap. Rooms are cut at walls with doors that the
 /// views' pictures show (view.path; views without one are passed over).
 ///
-/// Evidence of raw counts is drawn with the cost of the paper: a cell of the outline costs one
-/// where it has fewer than counts_threshold wall points, a corner counts_turn_cells; free space has
-/// no say.
+/// FloorplanMode::kPaper draws what the paper does, from raw counts: one loop round all cores that
+/// cameras see each other through, a cell of it costs where it has too few wall points, and a
+/// second path through anchors undoes the first one's shrinkage. Its rooms have a curve.
 ///
-/// `evidence` has one entry a storey of `structure`. Guarantees: rings are simple, orientations
+/// `evidence` has one entry a storey of `structure`, in log-odds or, for the paper, raw counts.
+/// Guarantees: rings are simple, orientations
 /// those of Polygon2, rooms of a storey are disjoint, walls are the edges of the rooms in ring
 /// order with the room on their left; no openings (FindOpenings). A storey without core has no
 /// rooms.

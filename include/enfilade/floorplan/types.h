@@ -15,6 +15,19 @@
 
 namespace enfilade {
 
+enum class WallSeen { kSeen, kPartly, kInferred };
+[[nodiscard]] std::span<const std::string_view> EnumNames(WallSeen);
+
+/// One outline that a room may have: the best with its number of corners.
+struct OutlineChoice {
+  double cost_m = 0;  ///< of the outline without its corners, in metres of unseen wall
+  Polygon2 polygon;
+  std::vector<WallSeen> seen;   ///< of every edge, in ring order
+  std::vector<double> sigma_m;  ///< likewise, standard deviation of the offset
+
+  [[nodiscard]] int NumVertices() const;
+};
+
 /// A room: the region inside its walls' inner faces, in the home frame.
 struct Room {
   int id = 0;
@@ -23,10 +36,9 @@ struct Room {
   double ceiling_z = 0;
   double area_sigma_m2 = 0;
   bool has_level_ceiling = true;  ///< else ceiling_z is the ceiling's mean height
+  /// The best outline for every number of corners, ascending; empty where the method knows one.
+  std::vector<OutlineChoice> curve = {};
 };
-
-enum class WallSeen { kSeen, kPartly, kInferred };
-[[nodiscard]] std::span<const std::string_view> EnumNames(WallSeen);
 
 /// A wall face from a to b, the room on its left.
 struct Wall {
