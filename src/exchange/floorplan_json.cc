@@ -10,6 +10,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/json.h"
+#include "enfilade/geometry/boolean.h"
 #include "src/exchange/json_geometry.h"
 
 namespace enfilade {
@@ -47,6 +48,43 @@ Json ToJson(const Rigid3& transform) {
   return rows;
 }
 
+Json FlatToJson(const Ring2& ring) {
+  Json numbers = Json::array();
+  for (const Vector2d& p : ring) {
+    numbers.push_back(Length(p.x()));
+    numbers.push_back(Length(p.y()));
+  }
+  return numbers;
+}
+
+// Many outlines, so on few lines: points in one list of numbers, a letter an edge.
+Json CurveToJson(const std::vector<OutlineChoice>& curve) {
+  Json list = Json::array();
+  for (size_t i = 0; i < curve.size(); ++i) {
+    const OutlineChoice& choice = curve[i];
+    std::string seen;
+    for (const WallSeen wall : choice.seen) seen += EnumToName(wall)[0];
+    Json sigmas = Json::array();
+    for (const double sigma_m : choice.sigma_m) sigmas.push_back(Length(sigma_m));
+    Json holes = Json::array();
+    for (const Ring2& hole : choice.polygon.holes) holes.push_back(FlatToJson(hole));
+    Json change;
+    if (i + 1 < curve.size()) {
+      const MultiPolygon2 here = {choice.polygon}, next = {curve[i + 1].polygon};
+      change = Length(Area(Difference(here, next)) + Area(Difference(next, here)));
+    }
+    list.push_back({{"vertices", choice.NumVertices()},
+                    {"cost_m", Length(choice.cost_m)},
+                    {"area_m2", Length(Area(choice.polygon))},
+                    {"area_change_m2", change},
+                    {"outline", FlatToJson(choice.polygon.outer)},
+                    {"holes", holes},
+                    {"seen", seen},
+                    {"sigma_m", sigmas}});
+  }
+  return list;
+}
+
 Json RoomPair(int room_id, const std::optional<int>& other_room_id) {
   return {room_id, other_room_id ? Json(*other_room_id) : Json()};
 }
@@ -54,14 +92,16 @@ Json RoomPair(int room_id, const std::optional<int>& other_room_id) {
 Json ToJson(const Room& room) {
   Json holes = Json::array();
   for (const Ring2& hole : room.polygon.holes) holes.push_back(ToJson(hole));
-  return {{"id", room.id},
-          {"polygon", ToJson(room.polygon.outer)},
-          {"holes", holes},
-          {"floor_z", Length(room.floor_z)},
-          {"ceiling_z", Length(room.ceiling_z)},
-          {"ceiling", room.has_level_ceiling ? "level" : "sloped"},
-          {"area_m2", Length(Area(room.polygon))},
-          {"area_sigma_m2", Length(room.area_sigma_m2)}};
+  Json json = {{"id", room.id},
+               {"polygon", ToJson(room.polygon.outer)},
+               {"holes", holes},
+               {"floor_z", Length(room.floor_z)},
+               {"ceiling_z", Length(room.ceiling_z)},
+               {"ceiling", room.has_level_ceiling ? "level" : "sloped"},
+               {"area_m2", Length(Area(room.polygon))},
+               {"area_sigma_m2", Length(room.area_sigma_m2)}};
+  if (!room.curve.empty()) json["curve"] = CurveToJson(room.curve);
+  return json;
 }
 
 Json ToJson(const Wall& wall) {
@@ -143,6 +183,69 @@ Ring2 RingOf(const Json& json, bool is_hole, const std::string& what, const std:
   return ring;
 }
 
+Ring2 FlatRingOf(const Json& json, bool is_hole, const std::string& what,
+                 const std::string& where) {
+  Ring2 ring;
+  if (json.is_array() && json.size() % 2 == 0) {
+    for (size_t i = 0; i + 1 < json.size(); i += 2) {
+      ring.emplace_back(NumberFromJson(json[i], where, what),
+                        NumberFromJson(json[i + 1], where, what));
+    }
+  }
+  // Turning it would part the edges from what is said of them.
+  if (ring.size() < 3 || (SignedArea(ring) < 0) != is_hole) {
+    throw InvalidInputError(where, what + " is no outline of x, y, x, y, … in the right direction",
+                            "make the plan again");
+  }
+  return ring;
+}
+
+WallSeen SeenOfLetter(char letter, const std::string& what, const std::string& where) {
+  for (const WallSeen seen : {WallSeen::kSeen, WallSeen::kPartly, WallSeen::kInferred}) {
+    if (EnumToName(seen)[0] == letter) return seen;
+  }
+  throw InvalidInputError(where, "'seen' of " + what + " has a letter that is none of s, p and i",
+                          "make the plan again");
+}
+
+OutlineChoice OutlineChoiceOf(const Json& json, const std::string& room, const std::string& where) {
+  OutlineChoice choice;
+  const int num_vertices = IntegerOf(json, "vertices", where);
+  const std::string what = room + " with " + std::to_string(num_vertices) + " corners";
+  choice.cost_m = JsonNumber(json, "cost_m", where);
+  choice.polygon.outer = FlatRingOf(JsonArray(json, "outline", where), false, what, where);
+  for (const Json& hole : ListOr(json, "holes", where)) {
+    choice.polygon.holes.push_back(FlatRingOf(hole, true, what, where));
+  }
+  for (const char letter : JsonString(json, "seen", where)) {
+    choice.seen.push_back(SeenOfLetter(letter, what, where));
+  }
+  for (const Json& sigma_m : JsonArray(json, "sigma_m", where)) {
+    choice.sigma_m.push_back(NumberFromJson(sigma_m, where, "'sigma_m' of " + what));
+  }
+  const auto num_edges = static_cast<size_t>(choice.NumVertices());
+  if (choice.NumVertices() != num_vertices || choice.seen.size() != num_edges ||
+      choice.sigma_m.size() != num_edges) {
+    throw InvalidInputError(where, what + " tells another number of corners or edges",
+                            "make the plan again");
+  }
+  return choice;
+}
+
+std::vector<OutlineChoice> CurveOf(const Json& json, const std::string& room,
+                                   const std::string& where) {
+  std::vector<OutlineChoice> curve;
+  for (const Json& choice : ListOr(json, "curve", where)) {
+    curve.push_back(OutlineChoiceOf(choice, room, where));
+    const size_t n = curve.size();
+    if (n > 1 && curve[n - 2].NumVertices() >= curve[n - 1].NumVertices()) {
+      throw InvalidInputError(where, "the curve of " + room + " does not ascend",
+                              "make the plan again");
+    }
+  }
+  return curve;
+}
+
 Room RoomOf(const Json& json, double storey_floor_z, const std::string& where) {
   Room room;
   room.id = IntegerOf(json, "id", where);
@@ -156,6 +259,7 @@ Room RoomOf(const Json& json, double storey_floor_z, const std::string& where) {
   room.has_level_ceiling =
       !json.contains("ceiling") || JsonString(json, "ceiling", where) == "level";
   room.area_sigma_m2 = NumberOr(json, "area_sigma_m2", 0, where);
+  room.curve = CurveOf(json, "room " + std::to_string(room.id), where);
   return room;
 }
 

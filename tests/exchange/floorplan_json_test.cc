@@ -111,6 +111,76 @@ TEST_F(FloorplanJsonTest, WritingWhatWasReadGivesTheSameBytes) {
   EXPECT_EQ(ReadFile(file), first);
 }
 
+// The first room may also have six corners, or eight with a hole.
+Floorplan WithCurve() {
+  Floorplan plan = TwoRooms();
+  const auto choice = [](double cost_m, const Polygon2& polygon) {
+    OutlineChoice outline{cost_m, polygon, {}, {}};
+    outline.seen.assign(static_cast<size_t>(outline.NumVertices()), WallSeen::kSeen);
+    outline.seen.front() = WallSeen::kInferred;
+    outline.sigma_m.assign(outline.seen.size(), 0.02);
+    return outline;
+  };
+  plan.storeys[0].rooms[0].curve = {
+      choice(1.5, {ParseRing("0,0 4,0 4,3 0,3"), {}}),
+      choice(0.25, {ParseRing("0,0 4,0 4,3 2,3 2,2 0,2"), {}}),
+      choice(0, {ParseRing("0,0 4,0 4,3 0,3"), {ParseRing("1,1 1,2 2,2 2,1")}})};
+  return plan;
+}
+
+TEST_F(FloorplanJsonTest, CurvesAreReadBack) {
+  const Floorplan plan = WithCurve();
+  WriteFloorplanJson(file, plan, Json::object());
+  const std::string bytes = ReadFile(file);
+  const Floorplan read = ReadFloorplanJson(file);
+  const std::vector<OutlineChoice>& curve = read.storeys[0].rooms[0].curve;
+  ASSERT_EQ(curve.size(), 3U);
+  for (size_t i = 0; i < curve.size(); ++i) {
+    const OutlineChoice& expected = plan.storeys[0].rooms[0].curve[i];
+    EXPECT_EQ(curve[i].cost_m, expected.cost_m);
+    EXPECT_EQ(curve[i].polygon.outer, expected.polygon.outer);
+    EXPECT_EQ(curve[i].polygon.holes, expected.polygon.holes);
+    EXPECT_EQ(curve[i].seen, expected.seen);
+    EXPECT_EQ(curve[i].sigma_m, expected.sigma_m);
+  }
+  EXPECT_TRUE(read.storeys[0].rooms[1].curve.empty());
+  WriteFloorplanJson(file, read, Json::object());
+  EXPECT_EQ(ReadFile(file), bytes);
+  const Json json = ReadJsonFile(file)["storeys"][0]["rooms"][0]["curve"];
+  EXPECT_EQ(json[1]["vertices"], 6);
+  EXPECT_EQ(json[1]["area_m2"], 10);
+  EXPECT_EQ(json[0]["area_change_m2"], 2);
+  EXPECT_TRUE(json[2]["area_change_m2"].is_null());
+  EXPECT_EQ(json[1]["seen"], "isssss");
+}
+
+TEST_F(FloorplanJsonTest, RefusesBrokenCurves) {
+  const auto refusal = [&](const std::function<void(Json&)>& change) {
+    WriteFloorplanJson(file, WithCurve(), Json::object());
+    Json json = ReadJsonFile(file);
+    change(json["storeys"][0]["rooms"][0]["curve"]);
+    WriteJsonFile(file, json);
+    return Refusal();
+  };
+  EXPECT_EQ(refusal([](Json&) {}), "");
+  EXPECT_THAT(refusal([](Json& curve) { curve = "none"; }), HasSubstr("curve"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0] = 4; }), HasSubstr("vertices"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0].erase("vertices"); }), HasSubstr("vertices"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["vertices"] = 6; }), HasSubstr("another number"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["seen"] = "sss"; }), HasSubstr("another number"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["seen"] = "ssqs"; }), HasSubstr("letter"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["sigma_m"] = Json::array(); }),
+              HasSubstr("another number"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["sigma_m"][2] = "x"; }), HasSubstr("sigma_m"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["outline"].erase(0); }), HasSubstr("no outline"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["outline"] = {0, 0, 0, 3, 4, 3, 4, 0}; }),
+              HasSubstr("direction"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[2]["holes"][0] = {1, 1, 2, 1, 2, 2, 1, 2}; }),
+              HasSubstr("direction"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[0]["cost_m"] = nullptr; }), HasSubstr("cost_m"));
+  EXPECT_THAT(refusal([](Json& curve) { curve[1] = curve[0]; }), HasSubstr("does not ascend"));
+}
+
 TEST_F(FloorplanJsonTest, HoldsTheKeysOfTheFormat) {
   WriteFloorplanJson(file, TwoRooms(), {{"version", "1.2"}});
   const Json json = ReadJsonFile(file);
