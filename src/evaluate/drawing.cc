@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/evaluate/drawing.h"
 
+#include <cairo-svg.h>
+
+#include <regex>
+
 #include "enfilade/base/check.h"
 
 namespace enfilade {
@@ -28,6 +32,23 @@ std::string EncodePng(cairo_surface_t* surface) {
   ENFILADE_CHECK(cairo_surface_write_to_png_stream(surface, AppendBytes, &bytes) ==
                  CAIRO_STATUS_SUCCESS);
   return bytes;
+}
+
+std::string DrawSvg(double width_px, double height_px,
+                    const std::function<void(cairo_surface_t*)>& draw) {
+  std::string bytes;
+  {
+    const CairoSurface surface(
+        cairo_svg_surface_create_for_stream(AppendBytes, &bytes, width_px, height_px),
+        cairo_surface_destroy);
+    cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+    draw(surface.get());
+    cairo_surface_finish(surface.get());
+    ENFILADE_CHECK(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS);
+  }
+  // cairo numbers the surfaces of a process and writes the number into the file.
+  static const std::regex kSurfaceId("id=\"surface[0-9]+\"");
+  return std::regex_replace(bytes, kSurfaceId, "id=\"drawing\"");
 }
 
 cairo_status_t AppendBytes(void* closure, const unsigned char* bytes, unsigned size) {

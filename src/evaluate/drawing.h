@@ -4,6 +4,7 @@
 
 #include <cairo.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,6 +29,10 @@ void CheckDrawing(cairo_t* cr);
 
 /// The bytes of a PNG file.
 [[nodiscard]] std::string EncodePng(cairo_surface_t* surface);
+
+/// The bytes of an SVG file of what `draw` draws. The same picture gives the same bytes.
+[[nodiscard]] std::string DrawSvg(double width_px, double height_px,
+                                  const std::function<void(cairo_surface_t*)>& draw);
 
 /// Appends to the std::string behind `closure`: a cairo_write_func_t.
 cairo_status_t AppendBytes(void* closure, const unsigned char* bytes, unsigned size);

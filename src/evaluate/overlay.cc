@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/evaluate/overlay.h"
 
-#include <cairo-svg.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 #include "enfilade/base/check.h"
 #include "enfilade/evaluate/judged_plan.h"
@@ -325,13 +323,6 @@ void DrawPage(cairo_t* cr, const Page& page, const Drawing& drawing, const Metri
   DrawFigures(cr, x, y + kLine_px, figures);
 }
 
-// cairo numbers the surfaces of a process and writes the number into the file: the same picture
-// shall be the same bytes.
-std::string WithoutSurfaceNumber(const std::string& svg) {
-  static const std::regex kSurfaceId("id=\"surface[0-9]+\"");
-  return std::regex_replace(svg, kSurfaceId, "id=\"overlay\"");
-}
-
 void DrawOn(cairo_surface_t* surface, const Page& page, const Drawing& drawing,
             const MetricReport& figures) {
   const CairoContext context = StartDrawing(surface);
@@ -351,17 +342,8 @@ std::string RenderOverlaySvg(const EvaluationInput& input, const GroundTruth& tr
                              const EvaluationReport& report, const OverlayOptions& options) {
   const Drawing drawing = MakeDrawing(input, truth, report, options);
   const Page page = LayOut(drawing, options);
-  std::string bytes;
-  {
-    const CairoSurface surface(
-        cairo_svg_surface_create_for_stream(AppendBytes, &bytes, page.width_px, page.height_px),
-        cairo_surface_destroy);
-    cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-    DrawOn(surface.get(), page, drawing, report.figures);
-    cairo_surface_finish(surface.get());
-    ENFILADE_CHECK(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS);
-  }
-  return WithoutSurfaceNumber(bytes);
+  return DrawSvg(page.width_px, page.height_px,
+                 [&](cairo_surface_t* surface) { DrawOn(surface, page, drawing, report.figures); });
 }
 
 std::string RenderOverlayPng(const EvaluationInput& input, const GroundTruth& truth,
