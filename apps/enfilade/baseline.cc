@@ -116,11 +116,9 @@ std::vector<EvidenceGrids> EvidenceInMode(const Workspace& workspace, const Mani
     throw InvalidInputError(workspace.root().native(), "stage 'evidence' has no result there",
                             "run 'enfilade run' or 'enfilade evidence' first");
   }
-  PipelineOptions options = OptionsOf(manifest);
-  if (options.evidence.grid.mode == mode) return ReadEvidence(workspace.evidence_folder());
-  options.evidence.grid.mode = mode;
-  GatheredEvidence gathered =
-      EvidenceOf(*results.scene, *results.structure, options.evidence, context);
+  if (mode == EvidenceMode::kLogOdds) return ReadEvidence(workspace.evidence_folder());
+  GatheredEvidence gathered = EvidenceOf(*results.scene, *results.structure,
+                                         OptionsOf(manifest).evidence, mode, context);
   if (!gathered.reason.empty())
     throw InvalidInputError(workspace.root().native(), "has no evidence", gathered.reason);
   return std::move(gathered.storeys);

@@ -37,7 +37,6 @@ Action SetupStage(CLI::App& parser, const std::string& stage) {
 
 Action SetupStructure(CLI::App& parser) { return SetupStage(parser, "structure"); }
 Action SetupEvidence(CLI::App& parser) { return SetupStage(parser, "evidence"); }
-Action SetupFloorplan(CLI::App& parser) { return SetupStage(parser, "floorplan"); }
 Action SetupModel(CLI::App& parser) { return SetupStage(parser, "model"); }
 Action SetupExport(CLI::App& parser) { return SetupStage(parser, "export"); }
 

@@ -148,7 +148,8 @@ StageResult GatherEvidence(const Workspace& workspace, const PipelineOptions& op
                            RunContext& context) {
   const Scene scene = ReadSceneJson(workspace.scene_file());
   const Structure structure = ReadStructure(workspace.structure_folder());
-  const GatheredEvidence gathered = EvidenceOf(scene, structure, options.evidence, context);
+  const GatheredEvidence gathered =
+      EvidenceOf(scene, structure, options.evidence, EvidenceMode::kLogOdds, context);
   if (!gathered.reason.empty()) return NoResult(gathered.reason);
   WriteEvidence(workspace.evidence_folder(), gathered.storeys);
   return gathered.num_cores > 0 ? StageResult{}
@@ -166,19 +167,21 @@ Json Provenance(const Workspace& workspace) {
   return {{"version", Version()}, {"seed", manifest.seed}, {"options", std::move(json)}};
 }
 
+void AddOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
+                 Floorplan& plan) {
+  const OpeningReport report = FindOpenings(scene, options, context, plan);
+  context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
+                                 report.num_doors, report.door_head_m, report.num_openings,
+                                 report.num_windows));
+}
+
 StageResult DrawFloorplan(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
-  const Scene scene = ReadSceneWithPictures(workspace);
-  const Structure structure = ReadStructure(workspace.structure_folder());
-  FloorplanReport report = SolveFloorplan(
-      scene, structure, ReadEvidence(workspace.evidence_folder()), options.floorplan, context);
+  const FloorplanExplanation solved = SolveFromFiles(workspace, options.floorplan, context);
+  const FloorplanReport& report = solved.report;
   if (report.outcome != FloorplanOutcome::kFound) return NoResult(report.reason);
   if (!report.reason.empty()) context.log().Warning(report.reason);
-  const OpeningReport openings =
-      FindOpenings(scene, options.floorplan.openings, context, report.plan);
-  context.log().Info(
-      fmt::format("{} doors, heads at {:.2f} m", openings.num_doors, openings.door_head_m));
-  WriteFloorplanJson(workspace.floorplan_file(), report.plan, Provenance(workspace));
+  StoreFloorplan(workspace, report.plan);
   return {};
 }
 
@@ -201,6 +204,36 @@ StageResult ExportPlan(const Workspace& workspace, const PipelineOptions& option
 }
 
 }  // namespace
+
+FloorplanExplanation SolveFromFiles(const Workspace& workspace, const FloorplanOptions& options,
+                                    RunContext& context) {
+  const bool is_paper = options.mode == FloorplanMode::kPaper;
+  const Scene scene =
+      is_paper ? ReadSceneJson(workspace.scene_file()) : ReadSceneWithPictures(workspace);
+  const Structure structure = ReadStructure(workspace.structure_folder());
+  FloorplanExplanation solved;
+  if (is_paper) {
+    // The paper's raw counts, with the options that the evidence of this run was made with.
+    GatheredEvidence gathered =
+        EvidenceOf(scene, structure, OptionsOf(ReadManifest(workspace.manifest_file())).evidence,
+                   EvidenceModeOf(options.mode), context);
+    if (!gathered.reason.empty()) {
+      solved.report.reason = gathered.reason;
+      return solved;
+    }
+    solved.evidence = std::move(gathered.storeys);
+  } else {
+    solved.evidence = ReadEvidence(workspace.evidence_folder());
+  }
+  solved.report = SolveFloorplan(scene, structure, solved.evidence, options, context);
+  if (!is_paper && solved.report.outcome == FloorplanOutcome::kFound)
+    AddOpenings(scene, options.openings, context, solved.report.plan);
+  return solved;
+}
+
+void StoreFloorplan(const Workspace& workspace, const Floorplan& plan) {
+  WriteFloorplanJson(workspace.floorplan_file(), plan, Provenance(workspace));
+}
 
 std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
                               PipelineOptions& options) {

@@ -33,13 +33,20 @@ EvidencePoints PointsOfStorey(const Scene& scene, const Structure& structure, si
 
 }  // namespace
 
+EvidenceMode EvidenceModeOf(FloorplanMode mode) {
+  return mode == FloorplanMode::kPaper ? EvidenceMode::kCounts : EvidenceMode::kLogOdds;
+}
+
 GatheredEvidence EvidenceOf(const Scene& scene, const Structure& structure,
-                            const EvidenceOptions& options, RunContext& context) {
+                            const EvidenceOptions& options, EvidenceMode mode,
+                            RunContext& context) {
+  AccumulateOptions grid = options.grid;
+  grid.mode = mode;
   GatheredEvidence gathered;
   for (size_t i = 0; i < structure.storeys.size(); ++i) {
     const WallSampleSet samples = MakeWallSamples(structure, scene, static_cast<int>(i));
     EvidenceReport report =
-        AccumulateEvidence(samples, PointsOfStorey(scene, structure, i), options.grid, context);
+        AccumulateEvidence(samples, PointsOfStorey(scene, structure, i), grid, context);
     if (report.outcome != EvidenceOutcome::kDone) return {{}, 0, report.reason};
     CoreReport core = FindCore(report.grids, options.core, context);
     report.grids.core = std::move(core.core);

@@ -51,7 +51,8 @@ Floorplan PlanWithout(const Scene& scene, int view_idx, const PipelineOptions& o
   ENFILADE_CHECK(CanPlanWithout(scene, view_idx));
   const Scene others = SceneWithout(scene, view_idx);
   const Structure structure = AnalyzeStructure(others, options.structure, context).structure;
-  const GatheredEvidence evidence = EvidenceOf(others, structure, options.evidence, context);
+  const GatheredEvidence evidence = EvidenceOf(others, structure, options.evidence,
+                                               EvidenceModeOf(options.floorplan.mode), context);
   if (!evidence.reason.empty()) return {};
   return SolveFloorplan(others, structure, evidence.storeys, options.floorplan, context).plan;
 }

@@ -3,14 +3,17 @@
 #include "enfilade/pipeline/pipeline.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/hash.h"
+#include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/scene_json.h"
 #include "enfilade/exchange/scene_reader.h"
+#include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/pipeline/memory_need.h"
 #include "src/pipeline/flow.h"
 
@@ -19,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What belongs to no stage and judges the result of the last one or stands beside it.
+// What belongs to no stage and judges or explains results, or stands beside them.
 const std::vector<fs::path> kJudgements = {"evaluation.json", "overlay.png", "error_maps",
-                                           "baselines"};
+                                           "baselines",       "explain.svg", "explain.png"};
 
 size_t StageIndex(std::string_view name) {
   const auto names = StageNames();
@@ -49,6 +52,12 @@ std::vector<fs::path> FilesFrom(const std::vector<Stage>& stages, size_t first) 
     files.insert(files.end(), stages[i].owns.begin(), stages[i].owns.end());
   }
   return files;
+}
+
+void RequirePlan(const Workspace& workspace, const Manifest& manifest) {
+  if (IsStageDone(manifest, "floorplan")) return;
+  throw InvalidInputError(workspace.root().native(), "holds no floorplan",
+                          "run 'enfilade floorplan' or 'enfilade run' first");
 }
 
 }  // namespace
@@ -107,16 +116,57 @@ StageResult RunSingleStage(const Workspace& workspace, const PipelineOptions& op
   DescribeRun(context, manifest);
 
   const std::string before(StageNames()[stage_idx - 1]);
-  const StageRecord* record = manifest.Find(before);
-  if (record == nullptr || record->outcome != StageOutcome::kDone) {
+  if (!IsStageDone(manifest, before)) {
     throw InvalidInputError(workspace.root().native(), "stage '" + before + "' has no result there",
                             "run it first, or 'enfilade run'");
   }
-  const std::string key_before = record->key;
+  const std::string key_before = manifest.Find(before)->key;
   PipelineOptions stage_options = options;
   const std::vector<Stage> stages = MakeStages(workspace, nullptr, stage_options);
   return RunStages(workspace, std::span(stages).subspan(stage_idx, 1), key_before,
                    FilesFrom(stages, stage_idx + 1), Rerun::kAlways, manifest, context);
+}
+
+StageResult RedrawWithVertices(const Workspace& workspace, int num_vertices, RunContext& context) {
+  const WorkspaceLock lock(workspace, WorkspaceUse::kExisting);
+  Manifest manifest = ReadManifest(workspace.manifest_file());
+  RequirePlan(workspace, manifest);
+  const std::string where = workspace.floorplan_file().native();
+  const Floorplan standing = ReadFloorplanJson(workspace.floorplan_file());
+  const std::optional<Floorplan> plan = PlanWithVertices(standing, num_vertices);
+  if (!plan) {
+    throw InvalidInputError(where, WhyNoSuchNumber(standing, num_vertices),
+                            "ask for that number, or make a plan with --floorplan.mode paper");
+  }
+  PipelineOptions options = OptionsOf(manifest);
+  options.floorplan.vertices = num_vertices;
+  DescribeRun(context, manifest);
+  const bool has_drawing = fs::exists(workspace.plan_svg_file());
+  const size_t stage_idx = StageIndex("floorplan");
+  const std::string key_before = manifest.Find(StageNames()[stage_idx - 1])->key;
+  std::vector<Stage> stages = MakeStages(workspace, nullptr, options);
+  stages[stage_idx].run = [&](RunContext&) {
+    StoreFloorplan(workspace, *plan);
+    return StageResult{};
+  };
+  const StageResult result =
+      RunStages(workspace, std::span(stages).subspan(stage_idx, 1), key_before,
+                FilesFrom(stages, stage_idx + 1), Rerun::kAlways, manifest, context);
+  if (!has_drawing) return result;
+  const std::string plan_key = manifest.Find("floorplan")->key;
+  return RunStages(workspace, std::span(stages).subspan(StageIndex("export"), 1), plan_key,
+                   kJudgements, Rerun::kAlways, manifest, context);
+}
+
+bool IsStageDone(const Manifest& manifest, std::string_view stage) {
+  const StageRecord* record = manifest.Find(stage);
+  return record != nullptr && record->outcome == StageOutcome::kDone;
+}
+
+FloorplanExplanation ExplainFloorplan(const Workspace& workspace, RunContext& context) {
+  const Manifest manifest = ReadManifest(workspace.manifest_file());
+  RequirePlan(workspace, manifest);
+  return SolveFromFiles(workspace, OptionsOf(manifest).floorplan, context);
 }
 
 }  // namespace enfilade

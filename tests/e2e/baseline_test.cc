@@ -96,16 +96,6 @@ TEST_F(Baseline, SameBytesForAnyNumberOfThreads) {
     EXPECT_TRUE(ReadFile(Rival(kLambdas[i]) / "floorplan.json") == first[i]) << kLambdas[i];
 }
 
-// What is gathered for the rival is what the stage would have left.
-TEST_F(Baseline, GathersTheEvidenceThatTheStageWouldGather) {
-  const auto storeys = [] { return ReadJsonFile(Rival("100") / "floorplan.json").at("storeys"); };
-  ASSERT_EQ(Draw().exit_code, 0);
-  const nlohmann::json gathered = storeys();
-  ASSERT_EQ(RunProgram({"evidence", output(), "--evidence.grid.mode", "counts"}).exit_code, 0);
-  ASSERT_EQ(Draw().exit_code, 0);
-  EXPECT_EQ(storeys(), gathered);
-}
-
 TEST_F(Baseline, TakesLogOddsAndOtherLambdas) {
   ASSERT_EQ(Draw({"--baseline.evidence", "log_odds", "--baseline.lambda", "50"}).exit_code, 0);
   EXPECT_TRUE(fs::exists(output() / "baselines/cut_log_odds_lambda50/floorplan.json"));

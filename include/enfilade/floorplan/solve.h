@@ -56,7 +56,7 @@ struct FloorplanOptions {
 
   OpeningOptions openings = {};  ///< where rooms are cut; for FindOpenings
 
-  PaperOptions paper;
+  PaperOptions paper = {};
 
   void Visit(OptionVisitor& v);
 };

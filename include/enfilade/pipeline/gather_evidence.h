@@ -20,11 +20,14 @@ struct GatheredEvidence {
   std::string reason;  ///< why there are no grids, one line; empty when there are
 };
 
-/// From wall profiles and the scene's points to grids and core free space, storey by storey, in the
-/// mode that `options.grid.mode` names: what the stage `evidence` writes, and what a method that
-/// wants the other mode gathers from the same structure. Reads no pictures. Throws what
-/// AccumulateEvidence throws.
+/// What the floorplan works with in a mode.
+[[nodiscard]] EvidenceMode EvidenceModeOf(FloorplanMode mode);
+
+/// From wall profiles and the scene's points to grids and core free space, storey by storey: what
+/// the stage `evidence` writes, or what a method that wants the other mode gathers from the same
+/// structure. Reads no pictures. Throws what AccumulateEvidence throws.
 [[nodiscard]] GatheredEvidence EvidenceOf(const Scene& scene, const Structure& structure,
-                                          const EvidenceOptions& options, RunContext& context);
+                                          const EvidenceOptions& options, EvidenceMode mode,
+                                          RunContext& context);
 
 }  // namespace enfilade

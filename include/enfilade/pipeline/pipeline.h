@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "enfilade/base/run_context.h"
+#include "enfilade/evidence/types.h"
+#include "enfilade/floorplan/solve.h"
 #include "enfilade/pipeline/manifest.h"
 #include "enfilade/pipeline/options.h"
 #include "enfilade/pipeline/stage.h"
@@ -39,5 +42,27 @@ namespace enfilade {
 /// of later stages. Throws InvalidInputError when the stage before has no result there.
 [[nodiscard]] StageResult RunSingleStage(const Workspace& workspace, const PipelineOptions& options,
                                          std::string_view stage, RunContext& context);
+
+/// The floorplan that stands in `workspace` with another number of corners, from its rooms' curves:
+/// the same files as the stage floorplan would write with its options and
+/// FloorplanOptions::vertices, without solving again. Removes the results of later stages, but
+/// writes a drawing that was there anew. Throws InvalidInputError when no plan stands there, it has
+/// no curve, or there is no plan with so many corners.
+[[nodiscard]] StageResult RedrawWithVertices(const Workspace& workspace, int num_vertices,
+                                             RunContext& context);
+
+/// True when stage `stage` has a result in the folder that a manifest is of.
+[[nodiscard]] bool IsStageDone(const Manifest& manifest, std::string_view stage);
+
+/// What the stage floorplan worked with and did, for a picture of it.
+struct FloorplanExplanation {
+  std::vector<EvidenceGrids> evidence;
+  FloorplanReport report;
+};
+
+/// Solves again what led to the floorplan that stands in `workspace`, which must be locked and have
+/// one. Writes nothing. Throws as the stage does.
+[[nodiscard]] FloorplanExplanation ExplainFloorplan(const Workspace& workspace,
+                                                    RunContext& context);
 
 }  // namespace enfilade

@@ -33,6 +33,9 @@ class Workspace {
   [[nodiscard]] std::filesystem::path plan_svg_file() const { return root_ / "plan.svg"; }
   [[nodiscard]] std::filesystem::path evaluation_file() const { return root_ / "evaluation.json"; }
   [[nodiscard]] std::filesystem::path overlay_file() const { return root_ / "overlay.png"; }
+  /// How the floorplan came about, as a page of pictures.
+  [[nodiscard]] std::filesystem::path explain_svg_file() const { return root_ / "explain.svg"; }
+  [[nodiscard]] std::filesystem::path explain_png_file() const { return root_ / "explain.png"; }
   [[nodiscard]] std::filesystem::path error_maps_folder() const { return root_ / "error_maps"; }
   /// Plans made without one panorama each, by which the run is checked against itself.
   [[nodiscard]] std::filesystem::path leave_one_out_folder() const {
