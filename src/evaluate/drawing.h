@@ -30,7 +30,8 @@ void CheckDrawing(cairo_t* cr);
 /// The bytes of a PNG file.
 [[nodiscard]] std::string EncodePng(cairo_surface_t* surface);
 
-/// The bytes of an SVG file of what `draw` draws. The same picture gives the same bytes.
+/// The bytes of an SVG file of what `draw` draws. The same drawing gives the same bytes, unless it
+/// holds pictures, which cairo numbers through all drawings of a process.
 [[nodiscard]] std::string DrawSvg(double width_px, double height_px,
                                   const std::function<void(cairo_surface_t*)>& draw);
 
