@@ -7,19 +7,10 @@
 #include <cmath>
 
 #include "enfilade/base/check.h"
+#include "src/floorplan/grid_steps.h"
 
 namespace enfilade {
 namespace {
-
-struct Cell {
-  int row, col;
-};
-
-constexpr int kRowStep[4] = {0, 1, 0, -1};
-constexpr int kColStep[4] = {1, 0, -1, 0};
-/// Cells beside the step that leaves vertex (row, col), relative to cell (row, col).
-constexpr Cell kLeftCell[4] = {{0, 0}, {0, -1}, {-1, -1}, {-1, 0}};
-constexpr Cell kRightCell[4] = {{-1, 0}, {0, 0}, {0, -1}, {-1, -1}};
 
 float At(const ImageF& image, int row, int col) {
   const bool is_inside = row >= 0 && col >= 0 && row < image.rows() && col < image.cols();
@@ -96,8 +87,8 @@ LoopField MakeLoopField(const EvidenceGrids& evidence, const FloorplanOptions& o
   for (int row = 0; row <= rows; ++row) {
     for (int col = 0; col <= cols; ++col) {
       for (int heading = 0; heading < 4; ++heading) {
-        const Cell left{row + kLeftCell[heading].row, col + kLeftCell[heading].col};
-        const Cell right{row + kRightCell[heading].row, col + kRightCell[heading].col};
+        const GridVertex left = LeftCell({row, col}, static_cast<GridHeading>(heading));
+        const GridVertex right = RightCell({row, col}, static_cast<GridHeading>(heading));
         const float face = std::max(At(field.faceness, left.row, left.col),
                                     At(field.faceness, right.row, right.col));
         const int outwards = (heading + 3) & 3, inwards = (heading + 1) & 3;
@@ -138,9 +129,10 @@ void BlockCells(const ImageU8& cells, GridLoopProblem& problem) {
       if (cells(row, col) == 0) continue;
       for (int heading = 0; heading < 4; ++heading) {
         // The vertex from which a step with this heading has the cell on its left.
-        problem
-            .step_cost[problem.StepIndex(row - kLeftCell[heading].row, col - kLeftCell[heading].col,
-                                         static_cast<GridHeading>(heading))] = kBlockedStep;
+        const auto direction = static_cast<GridHeading>(heading);
+        const GridVertex offset = LeftCell({0, 0}, direction);
+        problem.step_cost[problem.StepIndex(row - offset.row, col - offset.col, direction)] =
+            kBlockedStep;
       }
     }
   }

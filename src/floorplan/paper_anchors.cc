@@ -275,7 +275,7 @@ class AnchorFinder {
     TraverseCells(field_.frame, from, to, [&](int row, int col) {
       ++num_cells;
       num_free += field_.rays(row, col) >= 1;
-      is_clear = !field_.IsSeen(row, col) || field_.IsFree(row, col);
+      is_clear = !field_.IsSeen(row, col);
       return is_clear;
     });
     return is_clear && num_free >= kMinFreeShare * num_cells;

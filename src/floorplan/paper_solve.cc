@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kMaxHiddenRounds = 4;
-constexpr int kMaxUntanglings = 24;
+constexpr int kMaxUntanglings = 8;
 constexpr int kUntanglingSolves = 4;
 constexpr double kLegMargin_m = 1;
 constexpr int kCornersBeyondFirst = 8;  // without anchors: more than the evidence supports

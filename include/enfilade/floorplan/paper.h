@@ -19,7 +19,7 @@ struct PaperOptions {
   double wall_points_per_m = 40;
   double hidden_space_m2 = 1;
   bool use_anchors = true;
-  double anchor_points_per_m = 80;
+  double anchor_points_per_m = 40;
   double anchor_support_m = 0.3;
   double anchor_spacing_m = 0.5;
   double anchor_reach_m = 0.3;
