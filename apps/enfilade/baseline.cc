@@ -117,8 +117,8 @@ std::vector<EvidenceGrids> EvidenceInMode(const Workspace& workspace, const Mani
                             "run 'enfilade run' or 'enfilade evidence' first");
   }
   if (mode == EvidenceMode::kLogOdds) return ReadEvidence(workspace.evidence_folder());
-  GatheredEvidence gathered = EvidenceOf(*results.scene, *results.structure,
-                                         OptionsOf(manifest).evidence, mode, context);
+  GatheredEvidence gathered =
+      EvidenceOf(*results.scene, *results.structure, OptionsOf(manifest).evidence, mode, context);
   if (!gathered.reason.empty())
     throw InvalidInputError(workspace.root().native(), "has no evidence", gathered.reason);
   return std::move(gathered.storeys);

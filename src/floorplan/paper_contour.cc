@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "enfilade/base/check.h"
-#include "enfilade/image/distance_transform.h"
 #include "enfilade/floorplan/cells.h"
+#include "enfilade/image/distance_transform.h"
 #include "src/floorplan/grid_steps.h"
 
 namespace enfilade {

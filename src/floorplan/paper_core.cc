@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "enfilade/evidence/ray_traversal.h"
-#include "enfilade/image/distance_transform.h"
 #include "enfilade/floorplan/cells.h"
+#include "enfilade/image/distance_transform.h"
 
 namespace enfilade {
 namespace {

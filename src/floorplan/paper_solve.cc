@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "enfilade/optim/turn_loops.h"
 #include "enfilade/floorplan/cells.h"
+#include "enfilade/optim/turn_loops.h"
 #include "src/floorplan/grid_steps.h"
 #include "src/floorplan/paper_anchors.h"
 #include "src/floorplan/paper_contour.h"

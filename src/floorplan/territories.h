@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "enfilade/evidence/types.h"
-#include "enfilade/image/image.h"
 #include "enfilade/floorplan/cells.h"
+#include "enfilade/image/image.h"
 
 namespace enfilade {
 

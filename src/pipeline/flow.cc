@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/pipeline/flow.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -29,6 +27,7 @@
 #include "enfilade/pipeline/structure_file.h"
 #include "enfilade/sfm/given_poses.h"
 #include "enfilade/structure/analyze.h"
+#include "src/pipeline/draw_plan.h"
 #include "src/pipeline/scene_hash.h"
 
 namespace enfilade {
@@ -167,14 +166,6 @@ Json Provenance(const Workspace& workspace) {
   return {{"version", Version()}, {"seed", manifest.seed}, {"options", std::move(json)}};
 }
 
-void AddOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
-                 Floorplan& plan) {
-  const OpeningReport report = FindOpenings(scene, options, context, plan);
-  context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
-                                 report.num_doors, report.door_head_m, report.num_openings,
-                                 report.num_windows));
-}
-
 StageResult DrawFloorplan(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
   const FloorplanExplanation solved = SolveFromFiles(workspace, options.floorplan, context);
@@ -225,9 +216,7 @@ FloorplanExplanation SolveFromFiles(const Workspace& workspace, const FloorplanO
   } else {
     solved.evidence = ReadEvidence(workspace.evidence_folder());
   }
-  solved.report = SolveFloorplan(scene, structure, solved.evidence, options, context);
-  if (!is_paper && solved.report.outcome == FloorplanOutcome::kFound)
-    AddOpenings(scene, options.openings, context, solved.report.plan);
+  solved.report = DrawPlan(scene, structure, solved.evidence, options, context);
   return solved;
 }
 

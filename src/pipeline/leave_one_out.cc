@@ -6,9 +6,9 @@
 #include <cstddef>
 
 #include "enfilade/base/check.h"
-#include "enfilade/floorplan/solve.h"
 #include "enfilade/pipeline/gather_evidence.h"
 #include "enfilade/structure/analyze.h"
+#include "src/pipeline/draw_plan.h"
 
 namespace enfilade {
 namespace {
@@ -54,7 +54,7 @@ Floorplan PlanWithout(const Scene& scene, int view_idx, const PipelineOptions& o
   const GatheredEvidence evidence = EvidenceOf(others, structure, options.evidence,
                                                EvidenceModeOf(options.floorplan.mode), context);
   if (!evidence.reason.empty()) return {};
-  return SolveFloorplan(others, structure, evidence.storeys, options.floorplan, context).plan;
+  return DrawPlan(others, structure, evidence.storeys, options.floorplan, context).plan;
 }
 
 }  // namespace enfilade

@@ -18,8 +18,8 @@ namespace enfilade {
 /// how well the evidence shows it. The polygons stay as they are. No openings.
 ///
 /// `rooms` and `evidence` have one entry a storey of `structure`. Of `options` only what concerns
-/// walls counts: seen_wall_log_odds or paper, wall_thickness_m, openings.max_wall_m and, as reach across a
-/// wall, slide_m.
+/// walls counts: seen_wall_log_odds or paper, wall_thickness_m, openings.max_wall_m and, as reach
+/// across a wall, slide_m.
 [[nodiscard]] Floorplan AssembleFloorplan(const Scene& scene, const Structure& structure,
                                           const std::vector<EvidenceGrids>& evidence,
                                           const std::vector<MultiPolygon2>& rooms,

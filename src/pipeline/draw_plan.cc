@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#include "src/pipeline/draw_plan.h"
+
+#include <fmt/format.h>
+
+#include "enfilade/floorplan/openings.h"
+
+namespace enfilade {
+
+FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
+                         const std::vector<EvidenceGrids>& evidence,
+                         const FloorplanOptions& options, RunContext& context) {
+  FloorplanReport report = SolveFloorplan(scene, structure, evidence, options, context);
+  if (options.mode == FloorplanMode::kPaper || report.outcome != FloorplanOutcome::kFound)
+    return report;
+  const OpeningReport openings = FindOpenings(scene, options.openings, context, report.plan);
+  context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
+                                 openings.num_doors, openings.door_head_m, openings.num_openings,
+                                 openings.num_windows));
+  return report;
+}
+
+}  // namespace enfilade

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "enfilade/base/run_context.h"
+#include "enfilade/evidence/types.h"
+#include "enfilade/floorplan/solve.h"
+#include "enfilade/scene/types.h"
+#include "enfilade/structure/types.h"
+
+namespace enfilade {
+
+/// SolveFloorplan and then FindOpenings, in the paper's mode without openings. Throws what reading
+/// pictures throws.
+[[nodiscard]] FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
+                                       const std::vector<EvidenceGrids>& evidence,
+                                       const FloorplanOptions& options, RunContext& context);
+
+}  // namespace enfilade
