@@ -112,7 +112,8 @@ Json ToJson(const Wall& wall) {
           {"thickness_m", Length(wall.thickness_m)},
           {"thickness", wall.is_thickness_measured ? "measured" : "assumed"},
           {"seen", EnumToName(wall.seen)},
-          {"sigma_m", Length(wall.sigma_m)}};
+          {"sigma_m", Length(wall.sigma_m)},
+          {"length_sigma_m", Length(wall.length_sigma_m)}};
 }
 
 Json ToJson(const Opening& opening) {
@@ -291,6 +292,7 @@ Wall WallOf(const Json& json, const std::set<int64_t>& room_ids, const std::stri
     wall.seen = EnumFromName<WallSeen>(JsonString(json, "seen", where), where, "'seen' of a wall");
   }
   wall.sigma_m = NumberOr(json, "sigma_m", 0, where);
+  wall.length_sigma_m = NumberOr(json, "length_sigma_m", 0, where);
   return wall;
 }
 

@@ -222,7 +222,13 @@ TurnedBox BoxOfText(const TextLine& text, double size_mm) {
           0.5 * TextWidth(text.text, size_mm) + 0.3, half_height + 0.2};
 }
 
-std::string LengthText(double length_m) { return fmt::format("{:.2f}", length_m); }
+// A wall's length from the fullest lettering to the scantest.
+std::vector<std::string> LengthTexts(double length_m, double sigma_m) {
+  const std::string length = fmt::format("{:.2f}", length_m);
+  if (sigma_m <= 0) return {length};
+  const std::string with_sigma = fmt::format("{} ± {:.2f}", length, std::max(sigma_m, 0.01));
+  return {with_sigma + " m", with_sigma, length};
+}
 
 // True when `other` is parallel to `wall` and lies opposite or beside it with the same ends, so
 // that one length tells both.
@@ -236,10 +242,10 @@ bool TellsSameLength(const Wall& wall, const Wall& other) {
   return std::abs(begin) <= kSameLength_m && std::abs(end - length) <= kSameLength_m;
 }
 
-bool PlaceWallDimension(const Wall& wall, const PaperFrame& frame, const PaperRoom& outline,
-                        TakenSpace& taken, std::vector<DimensionLine>& dimensions) {
+bool PlaceWallDimension(const Wall& wall, const std::string& text, const PaperFrame& frame,
+                        const PaperRoom& outline, TakenSpace& taken,
+                        std::vector<DimensionLine>& dimensions) {
   const double length_m = (wall.b - wall.a).norm();
-  const std::string text = LengthText(length_m);
   if (length_m * frame.mm_per_m < TextWidth(text, kDimensionSize_mm) + 1) return false;
   const Vector2d a = frame * wall.a, b = frame * wall.b;
   // The room lies on the left in the plan, which is on the right on paper's flipped y.
@@ -288,9 +294,13 @@ void PlaceWallDimensions(const Storey& storey, int room_id, const PaperFrame& fr
     const Wall& wall = storey.walls[i];
     const bool is_told = std::any_of(
         told.begin(), told.end(), [&](const Wall* other) { return TellsSameLength(wall, *other); });
-    if (!is_told && PlaceWallDimension(wall, frame, outline, taken, dimensions)) {
-      told.push_back(&wall);
-    }
+    if (is_told) continue;
+    const std::vector<std::string> texts =
+        LengthTexts((wall.b - wall.a).norm(), wall.length_sigma_m);
+    const bool is_placed = std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+      return PlaceWallDimension(wall, text, frame, outline, taken, dimensions);
+    });
+    if (is_placed) told.push_back(&wall);
   }
 }
 
@@ -306,9 +316,9 @@ void PlaceOverallDimensions(const Storey& storey, const PaperFrame& frame,
   const Vector2d outer = frame * extent_m.min() + Vector2d(-kOverallOffset_mm, kOverallOffset_mm);
   const Vector2d right(high.x(), low.y()), top(low.x(), high.y());
   DimensionLine width{-1, low, right, {low.x(), outer.y()}, {right.x(), outer.y()}, {}};
-  width.text = TextOnLine(LengthText(inner.sizes().x()), width.line_a, width.line_b);
+  width.text = TextOnLine(LengthTexts(inner.sizes().x(), 0).front(), width.line_a, width.line_b);
   DimensionLine depth{-1, low, top, {outer.x(), low.y()}, {outer.x(), top.y()}, {}};
-  depth.text = TextOnLine(LengthText(inner.sizes().y()), depth.line_a, depth.line_b);
+  depth.text = TextOnLine(LengthTexts(inner.sizes().y(), 0).front(), depth.line_a, depth.line_b);
   dimensions.push_back(std::move(width));
   dimensions.push_back(std::move(depth));
 }

@@ -107,6 +107,10 @@ void DrawWalls(const Storey& storey, const WallBodies& bodies, const PaperFrame&
     SetAttribute(face, "data-wall", std::to_string(wall.id));
     SetAttribute(face, "data-room", std::to_string(wall.room_id));
     SetAttribute(face, "data-length-m", fmt::format("{:.3f}", (wall.b - wall.a).norm()));
+    if (wall.sigma_m > 0) {
+      SetAttribute(face, "data-sigma-m", fmt::format("{:.3f}", wall.sigma_m));
+      SetAttribute(face, "data-length-sigma-m", fmt::format("{:.3f}", wall.length_sigma_m));
+    }
     SetAttribute(face, "data-thickness-m", fmt::format("{:.3f}", wall.thickness_m));
     SetAttribute(face, "data-thickness", wall.is_thickness_measured ? "measured" : "assumed");
     SetAttribute(face, "data-seen",
@@ -242,8 +246,8 @@ void DrawSheet(const Floorplan& plan, const PlanSheet& sheet, const PlanSvgOptio
   AppendText(layer, {PrintablePath(options.title), "sheet-title", {left, top + 6.5}, 0});
   AppendText(layer, {SummaryLine(plan, sheet), "sheet-line", {left, top + 11.2}, 0});
   AppendText(layer,
-             {"Lengths in metres between inner wall faces; areas within them. Wall thickness is "
-              "assumed unless both sides were seen.",
+             {"Lengths in metres between inner wall faces, areas within them, each ± one standard "
+              "deviation. Wall thickness is assumed unless both sides were seen.",
               "sheet-note",
               {left, top + 14.9},
               0});

@@ -3,7 +3,6 @@
 #include "src/floorplan/rooms.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "src/floorplan/wall_band.h"
@@ -14,7 +13,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kSeenShare = 0.7;
-constexpr double kMinSigma_m = 0.015;
 
 /// The smallest value with at least half of the weight at or below it.
 double WeightedMedian(std::vector<std::pair<double, double>> values, double fallback) {
@@ -35,10 +33,7 @@ Wall MakeWall(const LoopField& field, const Vector2d& a, const Vector2d& b,
   wall.a = a;
   wall.b = b;
   wall.thickness_m = options.wall_thickness_m;
-  const WallBand band = MeasureWallBand(field, a, b, options.slide_m);
-  wall.seen = SeenOf(band.seen_share);
-  const bool is_measured = band.has_peak && wall.seen != WallSeen::kInferred;
-  wall.sigma_m = is_measured ? std::max(band.sigma_m, kMinSigma_m) : kInferredSigma_m;
+  wall.seen = SeenOf(MeasureWallBand(field, a, b, options.slide_m).seen_share);
   return wall;
 }
 
@@ -91,19 +86,16 @@ void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStruct
              Storey& storey) {
   Room room = MakeRoom(polygon, heights, samples);
   room.id = static_cast<int>(storey.rooms.size());
-  double variance = 0;
   const auto add_walls = [&](const Ring2& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       Wall wall = MakeWall(field, ring[i], ring[(i + 1) % ring.size()], options);
       wall.id = static_cast<int>(storey.walls.size());
       wall.room_id = room.id;
-      variance += (wall.b - wall.a).squaredNorm() * wall.sigma_m * wall.sigma_m;
       storey.walls.push_back(std::move(wall));
     }
   };
   add_walls(polygon.outer);
   for (const Ring2& hole : polygon.holes) add_walls(hole);
-  room.area_sigma_m2 = std::sqrt(variance);
   storey.rooms.push_back(std::move(room));
 }
 

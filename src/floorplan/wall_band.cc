@@ -32,7 +32,7 @@ float FaceAt(const LoopField& field, const Vector2d& p, const Vector2d& normal) 
   return wall * std::clamp(before - behind, 0.0F, 1.0F);
 }
 
-/// Centre and width of the highest peak of values at offsets -n … n times `step`. Log-odds of
+/// Centre of the highest peak of values at offsets -n … n times `step`. Log-odds of
 /// several views add up to a log-likelihood; its part above half of the peak is symmetric about the
 /// face.
 void LocatePeak(const std::vector<float>& values, double step, WallBand& band) {
@@ -44,16 +44,14 @@ void LocatePeak(const std::vector<float>& values, double step, WallBand& band) {
   const auto last = std::find_if(peak, values.end(), is_low);
   const auto first = std::find_if(std::make_reverse_iterator(peak), values.rend(), is_low).base();
   const double center = 0.5 * static_cast<double>(values.size() - 1);
-  double sum = 0, moment = 0, second_moment = 0;
+  double sum = 0, moment = 0;
   for (auto value = first; value != last; ++value) {
     const double weight = *value - base,
                  offset = (static_cast<double>(value - values.begin()) - center) * step;
     sum += weight;
     moment += weight * offset;
-    second_moment += weight * offset * offset;
   }
   band.offset_m = moment / sum;
-  band.sigma_m = std::sqrt(std::max(0.0, second_moment / sum - band.offset_m * band.offset_m));
 }
 
 }  // namespace

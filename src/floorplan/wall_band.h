@@ -15,7 +15,6 @@ inline constexpr double kPartlySeenShare = 0.25;
 struct WallBand {
   bool has_peak = false;
   double offset_m = 0;    ///< of the evidence's peak, positive to the left
-  double sigma_m = 0;     ///< width of the peak
   double seen_share = 0;  ///< share of the segment's length with evidence at the segment itself
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "enfilade/floorplan/openings.h"
+#include "enfilade/floorplan/wall_sigma.h"
 
 namespace enfilade {
 
@@ -18,6 +19,7 @@ FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
   context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
                                  openings.num_doors, openings.door_head_m, openings.num_openings,
                                  openings.num_windows));
+  AssignSigmas(scene, structure, evidence, options, report.plan);
   return report;
 }
 

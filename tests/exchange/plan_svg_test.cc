@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <pugixml.hpp>
 #include <set>
@@ -113,6 +114,20 @@ TEST(FormatPlanSvg, DimensionsTellTheLengthsTheyAreDrawnWith) {
   // Opposite walls of the rectangle tell their length once; then the L, and the whole.
   EXPECT_EQ(texts, (std::multiset<std::string>{"4.00", "3.00", "2.90", "3.00", "2.00", "1.90",
                                                "1.00", "1.00", "7.00", "3.00"}));
+}
+
+TEST(FormatPlanSvg, DimensionsHaveStandardDeviationsWhereTheyFindRoom) {
+  Floorplan plan = TwoRooms();
+  for (Wall& wall : plan.storeys[0].walls) wall.sigma_m = wall.length_sigma_m = 0.03;
+  std::set<std::string> texts;
+  const auto document = Parse(FormatPlanSvg(plan));
+  for (const pugi::xml_node& group : OfClass(document, "dimension-group"))
+    texts.insert(group.child_value("text"));
+  EXPECT_TRUE(texts.contains("4.00 ± 0.03 m"));
+  for (const char* length : {"3.00", "2.90", "2.00", "1.90", "1.00"}) {
+    const auto tells = [&](const std::string& text) { return text.starts_with(length); };
+    EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), tells)) << length;
+  }
 }
 
 TEST(FormatPlanSvg, LetteringDoesNotOverlap) {

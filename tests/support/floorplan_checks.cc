@@ -66,7 +66,7 @@ void ExpectValidStorey(const Storey& storey) {
     EXPECT_EQ(wall.id, static_cast<int>(i));
     EXPECT_GT((wall.b - wall.a).norm(), kTolerance_m);
     EXPECT_GT(wall.thickness_m, 0);
-    EXPECT_TRUE(std::isfinite(wall.sigma_m) && wall.sigma_m > 0);
+    EXPECT_TRUE(std::isfinite(wall.sigma_m) && wall.sigma_m >= 0);
   }
   for (const Opening& opening : storey.openings) {
     ASSERT_GE(opening.wall_id, 0);

@@ -49,7 +49,8 @@ struct Wall {
   double thickness_m = 0;
   bool is_thickness_measured = false;
   WallSeen seen = WallSeen::kSeen;
-  double sigma_m = 0;  ///< standard deviation of its offset
+  double sigma_m = 0;         ///< standard deviation of its offset
+  double length_sigma_m = 0;  ///< of its length, from those of the walls beside it; 0: unknown
 };
 
 enum class OpeningKind { kDoor, kOpening, kWindow };
