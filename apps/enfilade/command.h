@@ -43,5 +43,6 @@ Action SetupSynth(CLI::App& parser);
 Action SetupConfig(CLI::App& parser);
 Action SetupDoctor(CLI::App& parser);
 Action SetupVersion(CLI::App& parser);
+Action SetupWhy(CLI::App& parser);
 
 }  // namespace enfilade

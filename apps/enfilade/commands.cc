@@ -19,6 +19,7 @@ std::span<const Command> Commands() {
       Command{"evaluate", "Judge a result against the truth", SetupEvaluate},
       Command{"baseline", "Draw the plan by the method that the paper compares with",
               SetupBaseline},
+      Command{"why", "Show the evidence for a wall", SetupWhy},
       Command{"synth", "Make a home with its panoramas and its truth", SetupSynth},
       Command{"doctor", "Check memory, disk, pictures and helpers before starting", SetupDoctor},
       Command{"config", "List every option of every stage", SetupConfig},

@@ -96,6 +96,19 @@ TEST_F(Run, FindsTheRoom) {
   fs::remove(reference() / "overlay.png");
 }
 
+TEST_F(Run, SaysWhyAWallIsThere) {
+  const ProgramResult result = RunProgram({"why", reference(), "0"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const char* text : {"wall 0 of room 0", "±", "seen by", "pano_", "cost in metres"})
+    EXPECT_THAT(result.out, HasSubstr(text));
+  for (const char* name : {"why_0.svg", "why_0.png"}) {
+    EXPECT_TRUE(fs::exists(reference() / name)) << name;
+    fs::remove(reference() / name);
+  }
+  ExpectRefusal(RunProgram({"why", reference(), "9999"}), "has no wall 9999; the nearest is ");
+  ExpectRefusal(RunProgram({"why", reference(), "0", "--storey", "3"}), "no storey 3");
+}
+
 TEST_F(Run, WritesWhatTheProtocolNames) {
   for (const char* name :
        {"scene.json", "structure/structure.json", "evidence/evidence.json", "floorplan.json",

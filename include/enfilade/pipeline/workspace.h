@@ -43,9 +43,21 @@ class Workspace {
   }
   /// Plans that rival methods draw from the same structure, a folder each.
   [[nodiscard]] std::filesystem::path baselines_folder() const { return root_ / "baselines"; }
+  /// What 'enfilade why' draws of a wall; the storey stands in the name but for storey 0.
+  [[nodiscard]] std::filesystem::path wall_svg_file(int storey_id, int wall_id) const {
+    return root_ / (WallStem(storey_id, wall_id) + ".svg");
+  }
+  [[nodiscard]] std::filesystem::path wall_png_file(int storey_id, int wall_id) const {
+    return root_ / (WallStem(storey_id, wall_id) + ".png");
+  }
   [[nodiscard]] std::filesystem::path lock_file() const { return root_ / ".lock"; }
 
  private:
+  [[nodiscard]] static std::string WallStem(int storey_id, int wall_id) {
+    const std::string storey = storey_id == 0 ? "" : std::to_string(storey_id) + "_";
+    return "why_" + storey + std::to_string(wall_id);
+  }
+
   std::filesystem::path root_;
 };
 
