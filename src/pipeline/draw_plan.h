@@ -12,8 +12,8 @@
 
 namespace enfilade {
 
-/// SolveFloorplan, then FindOpenings and AssignSigmas; in the paper's mode without these two. Throws
-/// what reading pictures throws.
+/// SolveFloorplan, then FindOpenings and AssignSigmas; in the paper's mode without these two.
+/// Throws what reading pictures throws.
 [[nodiscard]] FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
                                        const std::vector<EvidenceGrids>& evidence,
                                        const FloorplanOptions& options, RunContext& context);
