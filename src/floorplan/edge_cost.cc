@@ -54,18 +54,29 @@ int ForPieces(const LoopField& field, const Vector2d& a, const Vector2d& b, cons
 
 }  // namespace
 
-double EdgeCost(const LoopField& field, const FloorplanOptions& options, const Vector2d& a,
-                const Vector2d& b) {
+EdgeTerms MeasureEdge(const LoopField& field, const FloorplanOptions& options, const Vector2d& a,
+                      const Vector2d& b) {
   const int depth =
       std::max(1, static_cast<int>(std::lround(options.free_depth_m / field.frame.cell_m)));
-  double rate = 0;
+  EdgeTerms sum;
   const int num_pieces = ForPieces(
       field, a, b, [&](const Vector2d& left, const Vector2d& right, const Vector2d& step) {
-        rate += 1 - FaceAt(field, left, right) +
-                options.outside_weight * FreeDepth(field, right, -step, depth) +
-                options.inside_weight * SolidDepth(field, left, step, depth);
+        sum.unseen_m += 1 - FaceAt(field, left, right);
+        sum.free_outside_m2 += FreeDepth(field, right, -step, depth);
+        sum.solid_inside_m2 += SolidDepth(field, left, step, depth);
       });
-  return rate / num_pieces * (b - a).norm();
+  const double piece_m = (b - a).norm() / num_pieces;
+  return {sum.unseen_m * piece_m, sum.free_outside_m2 * piece_m, sum.solid_inside_m2 * piece_m};
+}
+
+double CostOf(const EdgeTerms& terms, const FloorplanOptions& options) {
+  return terms.unseen_m + options.outside_weight * terms.free_outside_m2 +
+         options.inside_weight * terms.solid_inside_m2;
+}
+
+double EdgeCost(const LoopField& field, const FloorplanOptions& options, const Vector2d& a,
+                const Vector2d& b) {
+  return CostOf(MeasureEdge(field, options, a, b), options);
 }
 
 double SeenShare(const LoopField& field, const Vector2d& a, const Vector2d& b) {
