@@ -9,7 +9,7 @@
 
 namespace enfilade {
 
-/// How doors are found in the pictures.
+/// How doors, wide openings and windows are found in the pictures.
 struct OpeningOptions {
   double step_m = 0.02;
   double min_door_log_odds = -0.25;
@@ -24,8 +24,7 @@ struct OpeningReport {
   int num_doors = 0;
   int num_openings = 0;  ///< wide ones without a door
   int num_windows = 0;
-  double door_head_m =
-      0;  ///< height of the home's door heads above the floor; 0 when none was seen
+  double door_head_m = 0;  ///< of the home's doors, above the floor; 0 when none was seen
 };
 
 /// Finds the doors, wide openings and windows of a plan without any in the pictures and adds them
