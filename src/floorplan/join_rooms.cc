@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/largest_part.h"
@@ -80,10 +79,8 @@ int JoinAcross(const MultiPolygon2& gaps, std::vector<Polygon2>& rooms) {
       if (Area(Intersection({rooms[i]}, {gap})) > 0) beside.push_back(i);
     }
     if (beside.size() != 2) continue;
-    Polygon2 joined = LargestPart(Union({rooms[beside[0]], rooms[beside[1]], gap}));
-    joined.outer = RemoveCollinear(joined.outer, kCollinear_m);
-    for (Ring2& hole : joined.holes) hole = RemoveCollinear(hole, kCollinear_m);
-    rooms[beside[0]] = std::move(joined);
+    rooms[beside[0]] = WithoutCollinear(
+        LargestPart(Union({rooms[beside[0]], rooms[beside[1]], gap})), kCollinear_m);
     rooms.erase(rooms.begin() + static_cast<std::ptrdiff_t>(beside[1]));
     ++num_joins;
   }

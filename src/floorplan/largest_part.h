@@ -16,4 +16,11 @@ namespace enfilade {
   return largest != region.end() ? *largest : Polygon2{};
 }
 
+/// RemoveCollinear on every ring.
+[[nodiscard]] inline Polygon2 WithoutCollinear(Polygon2 polygon, double tolerance_m) {
+  polygon.outer = RemoveCollinear(polygon.outer, tolerance_m);
+  for (Ring2& hole : polygon.holes) hole = RemoveCollinear(hole, tolerance_m);
+  return polygon;
+}
+
 }  // namespace enfilade

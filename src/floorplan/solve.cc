@@ -42,11 +42,9 @@ Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
   for (const auto& island : outline.islands) {
     region = Difference(region, {{RingInMetres(field.frame, island), {}}});
   }
+  constexpr double kCollinear_m = 1e-9;
   const Polygon2 largest = LargestPart(region);
-  if (largest.outer.empty()) return {};
-  Polygon2 polygon{RemoveCollinear(largest.outer), {}};
-  for (const Ring2& hole : largest.holes) polygon.holes.push_back(RemoveCollinear(hole));
-  return polygon;
+  return largest.outer.empty() ? Polygon2{} : WithoutCollinear(largest, kCollinear_m);
 }
 
 /// What remains of each polygon without the larger ones; in the given order.

@@ -196,8 +196,7 @@ MultiPolygon2 PartsBeside(const Polygon2& room, const LoopField& field, const Cu
   MultiPolygon2 parts = Difference({room}, {{strip, {}}});
   if (parts.size() < 2) return {};
   for (Polygon2& part : parts) {
-    part.outer = RemoveCollinear(part.outer, kCollinear_m);
-    for (Ring2& hole : part.holes) hole = RemoveCollinear(hole, kCollinear_m);
+    part = WithoutCollinear(std::move(part), kCollinear_m);
     const Polygon2 inner = LargestPart(OffsetSharp({part}, -0.5 * kMinRoomWidth_m));
     if (inner.outer.empty() || Area(part) < kMinRoom_m2) return {};
   }

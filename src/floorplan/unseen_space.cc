@@ -45,8 +45,7 @@ MultiPolygon2 Enclosed(const MultiPolygon2& rooms, double gap_m, double max_hole
 Polygon2 TidyPart(const MultiPolygon2& region, double min_jog_m, const WallWeight& weight) {
   const Polygon2 largest = LargestPart(region);
   if (largest.outer.empty()) return {};
-  Polygon2 part{RemoveCollinear(largest.outer, kCollinear_m), {}};
-  for (const Ring2& hole : largest.holes) part.holes.push_back(RemoveCollinear(hole, kCollinear_m));
+  Polygon2 part = WithoutCollinear(largest, kCollinear_m);
   StraightenJogs(min_jog_m, weight, part);
   return part;
 }

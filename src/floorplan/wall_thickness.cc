@@ -13,20 +13,20 @@ constexpr double kParallel = 0.985;  // cosine
 constexpr double kMinShare = 0.3;    // of a wall's length that the other face must be behind
 constexpr double kThinnest_m = 0.03;
 
+// How far the far face lies behind the wall.
+double GapBetween(const Wall& wall, const Wall& other) {
+  const Vector2d along = (wall.b - wall.a).normalized();
+  return Vector2d(along.y(), -along.x()).dot(0.5 * (other.a + other.b) - wall.a);
+}
+
 // The part of `wall` behind which `other` is its far face, 0 if it is not.
 double CommonLength(const Wall& wall, const Wall& other, double max_wall_m) {
   const Vector2d along = (wall.b - wall.a).normalized();
   if (along.dot((other.b - other.a).normalized()) > -kParallel) return 0;
-  const Vector2d outward(along.y(), -along.x());
-  const double gap_m = outward.dot(0.5 * (other.a + other.b) - wall.a);
+  const double gap_m = GapBetween(wall, other);
   if (gap_m < kThinnest_m || gap_m > max_wall_m) return 0;
   return std::min((wall.b - wall.a).norm(), along.dot(other.a - wall.a)) -
          std::max(0.0, along.dot(other.b - wall.a));
-}
-
-double GapBetween(const Wall& wall, const Wall& other) {
-  const Vector2d along = (wall.b - wall.a).normalized();
-  return Vector2d(along.y(), -along.x()).dot(0.5 * (other.a + other.b) - wall.a);
 }
 
 }  // namespace
