@@ -12,9 +12,8 @@
 
 #include "enfilade/base/file.h"
 #include "enfilade/base/json.h"
-#include "enfilade/synthetic/text_home.h"
-#include "enfilade/synthetic/write_home.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/small_room.h"
 #include "tests/support/temp_folder.h"
 
 namespace enfilade {
@@ -29,15 +28,7 @@ class SelfCheck : public testing::Test {
   // A room with three panoramas and its result, made once for all tests.
   static void SetUpTestSuite() {
     folder_ = new TempFolder;
-    RunContext context;
-    const Home room = TextHome(
-        "room 0,0 4,0 4,3 0,3 | window 1,0 2,0 | camera 1,1 | camera 3,1.1 | camera 2.2,2.1");
-    WriteHomeOptions quick;
-    quick.width = 256;
-    quick.render.samples_per_pixel = 1;
-    quick.render.gather_rays = 16;
-    quick.render.light_cell_m = 0.2;
-    WriteHome(home(), room, quick, context);
+    WriteSmallRoom(home());
     RunHome(home(), reference());
     const ProgramResult result = Check(reference(), {"--threads", "1"});
     ASSERT_EQ(result.exit_code, 0) << result.err;

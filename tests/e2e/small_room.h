@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Enfilade authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace enfilade {
+
+/// A made home of one room with a window and three panoramas of 256 x 128 pixels, quickly rendered.
+void WriteSmallRoom(const std::filesystem::path& folder);
+
+}  // namespace enfilade
