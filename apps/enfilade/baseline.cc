@@ -51,31 +51,6 @@ Json Provenance(const Manifest& manifest, BaselineOptions options) {
             {"baseline", OptionsToJson(VisitorOf(options))}}}};
 }
 
-struct Judged {
-  EvaluationInput input;
-  EvaluationReport report;
-};
-
-Judged Judge(const Results& results, const Floorplan& plan, const GroundTruth& truth,
-             RunContext& context) {
-  const EvaluationInput input{.scene = &*results.scene,
-                              .structure = nullptr,
-                              .floorplan = &plan,
-                              .model = nullptr,
-                              .model_error_sink = {}};
-  return {input, Evaluate(input, truth, EvaluateOptions{}, context)};
-}
-
-void WritePlan(const fs::path& folder, const Floorplan& plan, const Json& provenance) {
-  WritePlanSvg(folder / "plan.svg", plan);
-  WriteFloorplanJson(folder / "floorplan.json", plan, provenance);
-}
-
-void WriteJudgement(const fs::path& folder, const Judged& judged, const GroundTruth& truth) {
-  WriteFileAtomic(folder / "overlay.png", RenderOverlayPng(judged.input, truth, judged.report));
-  WriteJsonFile(folder / "evaluation.json", ReportToJson(judged.report));
-}
-
 RivalPlan DrawOne(const Results& results, const std::vector<EvidenceGrids>& evidence,
                   const BaselineOptions& options, RunContext& context) {
   const Clock::time_point start = Clock::now();
@@ -142,7 +117,8 @@ std::vector<RivalPlan> DrawBaselines(const Workspace& workspace, const Manifest&
     if (has_rooms) WritePlan(folder, rival.plan, Provenance(manifest, step));
     if (truth) {
       // What is said of the pictures is the same for all.
-      const Judged judged = Judge(results, rival.plan, *truth, rivals.empty() ? context : quiet);
+      const JudgedPlan judged =
+          JudgePlan(results, rival.plan, *truth, rivals.empty() ? context : quiet);
       if (has_rooms) WriteJudgement(folder, judged, *truth);
       rival.figures = judged.report.figures;
     }
@@ -156,7 +132,7 @@ std::optional<RivalPlan> OwnPlan(const Manifest& manifest, const Results& result
   if (!results.floorplan) return std::nullopt;
   RivalPlan own{"floorplan", *results.floorplan, manifest.Find("floorplan")->seconds, {}};
   RunContext quiet;
-  if (truth) own.figures = Judge(results, own.plan, *truth, quiet).report.figures;
+  if (truth) own.figures = JudgePlan(results, own.plan, *truth, quiet).report.figures;
   return own;
 }
 

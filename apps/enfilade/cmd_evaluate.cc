@@ -26,6 +26,7 @@ struct Arguments {
   std::string batch;
   bool is_self = false;
   bool is_ablation = false;
+  bool is_perfect = false;
   CommonArguments common;
   OptionArguments options;
 };
@@ -99,6 +100,12 @@ Action SetupEvaluate(CLI::App& parser) {
       .add_flag("--ablation", arguments->is_ablation,
                 "Instead, find the wall profiles anew with each set of cues and compare them")
       ->needs(against.get_option("--truth"));
+  parser
+      .add_flag("--perfect", arguments->is_perfect,
+                "Instead, draw and judge the plan from the true wall profiles, into OUT/perfect: "
+                "what it misses is not for want of better ones")
+      ->needs(against.get_option("--truth"))
+      ->excludes("--ablation");
   arguments->common.Register(parser);
   PipelineOptions defaults;
   arguments->options.Register(parser, VisitorOf(defaults));
@@ -126,7 +133,9 @@ Action SetupEvaluate(CLI::App& parser) {
       return PrintAblation(*results.scene, truth, options.structure, session.context());
     }
     const MetricReport figures =
-        JudgeResults(workspace, manifest, results, truth, session.context());
+        arguments->is_perfect
+            ? JudgePerfectProfiles(workspace, manifest, results, truth, session.context())
+            : JudgeResults(workspace, manifest, results, truth, session.context());
     std::fputs(FormatReport(figures).c_str(), stdout);
     return kExitOk;
   };

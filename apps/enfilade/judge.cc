@@ -16,14 +16,18 @@
 #include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
 #include "enfilade/base/json.h"
+#include "enfilade/evaluate/columns.h"
 #include "enfilade/evaluate/error_map.h"
-#include "enfilade/evaluate/evaluate.h"
 #include "enfilade/evaluate/overlay.h"
+#include "enfilade/evaluate/picture_matching.h"
 #include "enfilade/evaluate/report.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/obj_reader.h"
+#include "enfilade/exchange/plan_svg.h"
 #include "enfilade/exchange/scene_json.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/pipeline/draw_plan.h"
+#include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
 
 namespace enfilade {
@@ -109,6 +113,52 @@ MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
   if (self) json["self_panoramas"] = SelfReportToJson(*self);
   WriteJsonFile(workspace.evaluation_file(), json);
   return report.figures;
+}
+
+JudgedPlan JudgePlan(const Results& results, const Floorplan& plan, const GroundTruth& truth,
+                     RunContext& context) {
+  const EvaluationInput input{.scene = &*results.scene,
+                              .structure = nullptr,
+                              .floorplan = &plan,
+                              .model = nullptr,
+                              .model_error_sink = {}};
+  return {input, Evaluate(input, truth, EvaluateOptions{}, context)};
+}
+
+void WritePlan(const std::filesystem::path& folder, const Floorplan& plan,
+               const nlohmann::json& provenance) {
+  WritePlanSvg(folder / "plan.svg", plan);
+  WriteFloorplanJson(folder / "floorplan.json", plan, provenance);
+}
+
+void WriteJudgement(const std::filesystem::path& folder, const JudgedPlan& judged,
+                    const GroundTruth& truth) {
+  WriteFileAtomic(folder / "overlay.png", RenderOverlayPng(judged.input, truth, judged.report));
+  WriteJsonFile(folder / "evaluation.json", ReportToJson(judged.report));
+}
+
+MetricReport JudgePerfectProfiles(const Workspace& workspace, const Manifest& manifest,
+                                  const Results& results, const GroundTruth& truth,
+                                  RunContext& context) {
+  if (!results.structure) {
+    throw InvalidInputError(workspace.root().native(), "holds no wall profiles",
+                            "run 'enfilade run' or 'enfilade structure' first");
+  }
+  const Scene scene = ReadSceneWithPictures(workspace);
+  const Structure structure = WithTrueProfiles(
+      scene, *results.structure, truth, MatchPictures(PictureKeys(scene), PictureKeys(truth)));
+  PipelineOptions options = OptionsOf(manifest);
+  const Floorplan plan = PlanOf(scene, structure, options, context);
+  const std::filesystem::path folder = workspace.perfect_folder();
+  RemoveFiles(workspace, {folder.filename()});
+  WritePlan(folder, plan,
+            {{"version", Version()},
+             {"seed", manifest.seed},
+             {"profiles", "the truth's"},
+             {"options", OptionsToJson(VisitorOf(options))}});
+  const JudgedPlan judged = JudgePlan(results, plan, truth, context);
+  WriteJudgement(folder, judged, truth);
+  return judged.report.figures;
 }
 
 }  // namespace enfilade

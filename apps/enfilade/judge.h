@@ -3,10 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "enfilade/base/run_context.h"
-#include "enfilade/evaluate/types.h"
+#include "enfilade/evaluate/evaluate.h"
 #include "enfilade/exchange/ground_truth.h"
 #include "enfilade/floorplan/types.h"
 #include "enfilade/model/types.h"
@@ -37,5 +38,30 @@ void AddCosts(const Manifest& manifest, MetricReport& figures);
 /// (self_check.h) are among them where its plans stand. Throws InvalidInputError, IoError.
 MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
                           const Results& results, const GroundTruth& truth, RunContext& context);
+
+/// Another plan of the same home, judged. Refers to the plan and the results it was made from.
+struct JudgedPlan {
+  EvaluationInput input;
+  EvaluationReport report;
+};
+
+[[nodiscard]] JudgedPlan JudgePlan(const Results& results, const Floorplan& plan,
+                                   const GroundTruth& truth, RunContext& context);
+
+/// Writes plan.svg and floorplan.json into the folder, which is made. Throws IoError.
+void WritePlan(const std::filesystem::path& folder, const Floorplan& plan,
+               const nlohmann::json& provenance);
+
+/// Writes overlay.png and evaluation.json into the folder. Throws IoError.
+void WriteJudgement(const std::filesystem::path& folder, const JudgedPlan& judged,
+                    const GroundTruth& truth);
+
+/// Draws, judges and writes into OUT/perfect the plan that the stages after structure make, with
+/// the options of the run, of the true wall profiles (WithTrueProfiles); returns its figures. What
+/// is missing there better profiles cannot bring. Throws InvalidInputError where there is no
+/// structure, IoError.
+MetricReport JudgePerfectProfiles(const Workspace& workspace, const Manifest& manifest,
+                                  const Results& results, const GroundTruth& truth,
+                                  RunContext& context);
 
 }  // namespace enfilade

@@ -113,6 +113,39 @@ std::optional<double> CeilingError(const WallProfile& profile, const GroundTruth
   return std::nullopt;
 }
 
+// Whether there is a true layout to compare a panorama with.
+bool HasLayout(const TruthView& view) { return view.is_inside && view.visible_layout.size() >= 3; }
+
+// All mass of a column's distribution at a distance: in the two bins about it, so that it is also
+// their mean in bins.
+void PutMassAt(double distance_m, const std::vector<double>& bin_m, float* probability) {
+  std::fill_n(probability, bin_m.size(), 0.0F);
+  const auto above = std::upper_bound(bin_m.begin(), bin_m.end(), distance_m);
+  if (above == bin_m.begin() || above == bin_m.end()) {
+    probability[above == bin_m.begin() ? 0 : bin_m.size() - 1] = 1;
+    return;
+  }
+  const auto next = static_cast<size_t>(above - bin_m.begin());
+  const double share = (distance_m - bin_m[next - 1]) / (bin_m[next] - bin_m[next - 1]);
+  probability[next - 1] = static_cast<float>(1 - share);
+  probability[next] = static_cast<float>(share);
+}
+
+void SetTrueWalls(const TrueColumns& columns, const Ring2& layout, const std::vector<double>& bin_m,
+                  WallProfile& profile) {
+  for (int c = 0; c < profile.num_columns(); ++c) {
+    const auto i = static_cast<size_t>(c);
+    const double r = RayDistance(layout, columns.origin, columns.directions[i]);
+    if (!std::isfinite(r) || r <= 0) {
+      profile.is_seen[i] = 0;
+      continue;
+    }
+    profile.wall_m[i] = profile.obstacle_m[i] = static_cast<float>(r);
+    profile.confidence[i] = 1;
+    PutMassAt(r, bin_m, profile.wall_probability.row(c));
+  }
+}
+
 PanoramaFigures EvaluatePanorama(const View& view, const WallProfile& profile,
                                  const Structure& structure, const TruthView& truth_view,
                                  const GroundTruth& truth, const ColumnOptions& options) {
@@ -165,7 +198,7 @@ ColumnFigures EvaluateColumns(const Scene& scene, const Structure& structure,
     ENFILADE_CHECK(view_idx < scene.views.size());
     if (truth_idx[view_idx] < 0) continue;
     const TruthView& truth_view = truth.views[static_cast<size_t>(truth_idx[view_idx])];
-    if (!truth_view.is_inside || truth_view.visible_layout.size() < 3) continue;
+    if (!HasLayout(truth_view)) continue;
     figures.panoramas.push_back(
         EvaluatePanorama(scene.views[view_idx], profile, structure, truth_view, truth, options));
   }
@@ -181,6 +214,24 @@ ColumnFigures EvaluateColumns(const Scene& scene, const Structure& structure,
   figures.iou_mean = Mean(Collect(figures.panoramas, &PanoramaFigures::iou));
   figures.ceiling_error_median_m = median_of(&PanoramaFigures::ceiling_error_m);
   return figures;
+}
+
+Structure WithTrueProfiles(const Scene& scene, const Structure& structure, const GroundTruth& truth,
+                           std::span<const int> truth_idx) {
+  ENFILADE_CHECK(truth_idx.size() == scene.views.size());
+  Structure result = structure;
+  for (WallProfile& profile : result.profiles) {
+    const auto view_idx = static_cast<size_t>(profile.view_idx);
+    const int idx = truth_idx[view_idx];
+    const TruthView* truth_view = idx < 0 ? nullptr : &truth.views[static_cast<size_t>(idx)];
+    if (truth_view == nullptr || !HasLayout(*truth_view)) {
+      std::fill(profile.is_seen.begin(), profile.is_seen.end(), uint8_t{0});
+      continue;
+    }
+    SetTrueWalls(PlaceColumns(scene.views[view_idx], *truth_view, structure, profile.num_columns()),
+                 truth_view->visible_layout, structure.bin_m, profile);
+  }
+  return result;
 }
 
 std::string FormatAblation(std::span<const AblationRow> rows) {

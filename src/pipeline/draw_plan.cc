@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "src/pipeline/draw_plan.h"
+#include "enfilade/pipeline/draw_plan.h"
 
 #include <fmt/format.h>
 
 #include "enfilade/floorplan/openings.h"
 #include "enfilade/floorplan/wall_sigma.h"
+#include "enfilade/pipeline/gather_evidence.h"
 
 namespace enfilade {
 
@@ -21,6 +22,14 @@ FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
                                  openings.num_windows));
   AssignSigmas(scene, structure, evidence, options, report.plan);
   return report;
+}
+
+Floorplan PlanOf(const Scene& scene, const Structure& structure, const PipelineOptions& options,
+                 RunContext& context) {
+  const GatheredEvidence evidence = EvidenceOf(scene, structure, options.evidence,
+                                               EvidenceModeOf(options.floorplan.mode), context);
+  if (!evidence.reason.empty()) return {};
+  return DrawPlan(scene, structure, evidence.storeys, options.floorplan, context).plan;
 }
 
 }  // namespace enfilade

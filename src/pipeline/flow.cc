@@ -21,13 +21,13 @@
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/model/extrude.h"
 #include "enfilade/model/texture.h"
+#include "enfilade/pipeline/draw_plan.h"
 #include "enfilade/pipeline/evidence_file.h"
 #include "enfilade/pipeline/gather_evidence.h"
 #include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
 #include "enfilade/sfm/given_poses.h"
 #include "enfilade/structure/analyze.h"
-#include "src/pipeline/draw_plan.h"
 #include "src/pipeline/scene_hash.h"
 
 namespace enfilade {

@@ -6,9 +6,8 @@
 #include <cstddef>
 
 #include "enfilade/base/check.h"
-#include "enfilade/pipeline/gather_evidence.h"
+#include "enfilade/pipeline/draw_plan.h"
 #include "enfilade/structure/analyze.h"
-#include "src/pipeline/draw_plan.h"
 
 namespace enfilade {
 namespace {
@@ -51,10 +50,7 @@ Floorplan PlanWithout(const Scene& scene, int view_idx, const PipelineOptions& o
   ENFILADE_CHECK(CanPlanWithout(scene, view_idx));
   const Scene others = SceneWithout(scene, view_idx);
   const Structure structure = AnalyzeStructure(others, options.structure, context).structure;
-  const GatheredEvidence evidence = EvidenceOf(others, structure, options.evidence,
-                                               EvidenceModeOf(options.floorplan.mode), context);
-  if (!evidence.reason.empty()) return {};
-  return DrawPlan(others, structure, evidence.storeys, options.floorplan, context).plan;
+  return PlanOf(others, structure, options, context);
 }
 
 }  // namespace enfilade

@@ -96,6 +96,21 @@ TEST_F(Run, FindsTheRoom) {
   fs::remove(reference() / "overlay.png");
 }
 
+TEST_F(Run, TrueWallProfilesGiveTheRoomExactly) {
+  const std::string plan = ReadFile(reference() / "floorplan.json");
+  const ProgramResult result =
+      RunProgram({"evaluate", reference(), "--truth", home(), "--perfect"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const fs::path folder = reference() / "perfect";
+  const nlohmann::json figures = ReadJsonFile(folder / "evaluation.json");
+  EXPECT_GE(figures.at("area_iou_net").get<double>(), 0.98);
+  EXPECT_EQ(figures.at("room_f1_10cm").get<double>(), 1.0);
+  for (const char* name : {"floorplan.json", "plan.svg", "overlay.png"})
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  EXPECT_EQ(ReadFile(reference() / "floorplan.json"), plan);
+  fs::remove_all(folder);
+}
+
 TEST_F(Run, SaysWhyAWallIsThere) {
   const ProgramResult result = RunProgram({"why", reference(), "0"});
   ASSERT_EQ(result.exit_code, 0) << result.err;

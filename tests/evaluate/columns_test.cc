@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "enfilade/evaluate/columns.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <limits>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/structure/column_scores.h"
 #include "tests/evaluate/small_home.h"
 
 namespace enfilade {
@@ -154,6 +156,49 @@ TEST(EvaluateColumns, WithoutCameraHeightOnlyTheAngleIsNone) {
   const ColumnFigures figures = Judge(home);
   EXPECT_EQ(figures.error_median_deg, std::nullopt);
   EXPECT_EQ(figures.within_5pct, 1.0);
+}
+
+SmallHome MakeHomeWithBins() {
+  SmallHome home = MakeSmallHome();
+  home.structure.bin_m = DistanceBins{}.Centers();
+  for (WallProfile& profile : home.structure.profiles) {
+    profile.wall_probability =
+        ImageF(profile.num_columns(), static_cast<int>(home.structure.bin_m.size()));
+  }
+  return home;
+}
+
+TEST(WithTrueProfiles, EveryColumnIsJudgedPerfectAndCertain) {
+  SmallHome home = MakeHomeWithBins();
+  for (WallProfile& profile : home.structure.profiles) {
+    for (float& wall_m : profile.wall_m) wall_m *= 1.3F;
+  }
+  home.structure = WithTrueProfiles(home.scene, home.structure, home.truth, kMatches);
+  EXPECT_NEAR(*Judge(home).error_median_m, 0, 1e-6);
+  EXPECT_EQ(Judge(home).within_5pct, 1.0);
+  for (const WallProfile& profile : home.structure.profiles) {
+    for (int c = 0; c < profile.num_columns(); ++c) {
+      const auto i = static_cast<size_t>(c);
+      EXPECT_EQ(profile.confidence[i], 1);
+      EXPECT_EQ(profile.obstacle_m[i], profile.wall_m[i]);
+      const float* mass = profile.wall_probability.row(c);
+      double sum = 0, mean_m = 0;
+      for (size_t b = 0; b < home.structure.bin_m.size(); ++b) {
+        sum += mass[b];
+        mean_m += mass[b] * home.structure.bin_m[b];
+      }
+      EXPECT_NEAR(sum, 1, 1e-6);
+      EXPECT_NEAR(mean_m, profile.wall_m[i], 1e-4);
+    }
+  }
+}
+
+TEST(WithTrueProfiles, WithoutTruthNothingIsSeen) {
+  const SmallHome home = MakeHomeWithBins();
+  const Structure structure =
+      WithTrueProfiles(home.scene, home.structure, home.truth, std::vector<int>{0, -1, 2});
+  EXPECT_THAT(structure.profiles[1].is_seen, testing::Each(0));
+  EXPECT_THAT(structure.profiles[0].is_seen, testing::Each(1));
 }
 
 TEST(FormatAblation, OneAlignedRowASetOfCues) {

@@ -43,6 +43,8 @@ class Workspace {
   }
   /// Plans that rival methods draw from the same structure, a folder each.
   [[nodiscard]] std::filesystem::path baselines_folder() const { return root_ / "baselines"; }
+  /// The plan that the true wall profiles lead to.
+  [[nodiscard]] std::filesystem::path perfect_folder() const { return root_ / "perfect"; }
   /// What 'enfilade why' draws of a wall; the storey stands in the name but for storey 0.
   [[nodiscard]] std::filesystem::path wall_svg_file(int storey_id, int wall_id) const {
     return root_ / (WallStem(storey_id, wall_id) + ".svg");

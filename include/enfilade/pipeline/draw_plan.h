@@ -7,6 +7,7 @@
 #include "enfilade/base/run_context.h"
 #include "enfilade/evidence/types.h"
 #include "enfilade/floorplan/solve.h"
+#include "enfilade/pipeline/options.h"
 #include "enfilade/scene/types.h"
 #include "enfilade/structure/types.h"
 
@@ -17,5 +18,10 @@ namespace enfilade {
 [[nodiscard]] FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
                                        const std::vector<EvidenceGrids>& evidence,
                                        const FloorplanOptions& options, RunContext& context);
+
+/// The plan that the stages after structure make: evidence, cores and DrawPlan, each with its
+/// options. Empty when they find none. Throws what AccumulateEvidence and DrawPlan throw.
+[[nodiscard]] Floorplan PlanOf(const Scene& scene, const Structure& structure,
+                               const PipelineOptions& options, RunContext& context);
 
 }  // namespace enfilade
