@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "enfilade/base/check.h"
+#include "enfilade/evaluate/judged_plan.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/boolean.h"
 #include "src/evaluate/statistics.h"
@@ -20,6 +21,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Whoever stands so near a door looks through it.
+constexpr double kInDoorway_m = 0.5;
 
 // Where a column of a profile really looked: the camera in the truth's world and the horizontal
 // unit direction of each column there. The column is carried over in the camera's frame.
@@ -42,6 +45,10 @@ TrueColumns PlaceColumns(const View& view, const TruthView& truth, const Structu
     columns.directions.emplace_back(in_truth.head<2>().normalized());
   }
   return columns;
+}
+
+double DistanceTo(const Segment2& segment, const Vector2d& point) {
+  return DistanceToRing({segment[0], segment[1]}, point);
 }
 
 // Distance to the first door or opening along a ray.
@@ -113,9 +120,6 @@ std::optional<double> CeilingError(const WallProfile& profile, const GroundTruth
   return std::nullopt;
 }
 
-// Whether there is a true layout to compare a panorama with.
-bool HasLayout(const TruthView& view) { return view.is_inside && view.visible_layout.size() >= 3; }
-
 // All mass of a column's distribution at a distance: in the two bins about it, so that it is also
 // their mean in bins.
 void PutMassAt(double distance_m, const std::vector<double>& bin_m, float* probability) {
@@ -131,11 +135,44 @@ void PutMassAt(double distance_m, const std::vector<double>& bin_m, float* proba
   probability[next] = static_cast<float>(share);
 }
 
-void SetTrueWalls(const TrueColumns& columns, const Ring2& layout, const std::vector<double>& bin_m,
+// What bounds the sight on a storey: walls, and doors where they leave a hole in both faces.
+struct Sight {
+  std::vector<Segment2> walls;
+  std::vector<Segment2> doors;                    // as annotated
+  std::vector<std::vector<Segment2>> door_faces;  // of each
+};
+
+Sight SightOnStorey(const GroundTruth& truth, int storey_idx) {
+  constexpr double kOnOutline_m = 1e-6;
+  std::vector<Segment2> outlines;
+  for (const TruthRoom& room : truth.rooms) {
+    if (room.storey_idx != storey_idx) continue;
+    const std::vector<Segment2> edges = OutlineOf(room.region);
+    outlines.insert(outlines.end(), edges.begin(), edges.end());
+  }
+  Sight sight{{}, truth.doors, {}};
+  for (const Segment2& wall : truth.walls) {
+    const Vector2d middle = 0.5 * (wall[0] + wall[1]);
+    if (std::any_of(outlines.begin(), outlines.end(),
+                    [&](const Segment2& edge) { return DistanceTo(edge, middle) < kOnOutline_m; }))
+      sight.walls.push_back(wall);
+  }
+  for (const Segment2& door : sight.doors) sight.door_faces.push_back(PartsBehind(door, outlines));
+  return sight;
+}
+
+void SetTrueWalls(const TrueColumns& columns, const Sight& sight, const std::vector<double>& bin_m,
                   WallProfile& profile) {
+  std::vector<Segment2> walls = sight.walls;
+  for (size_t i = 0; i < sight.doors.size(); ++i) {
+    if (DistanceTo(sight.doors[i], columns.origin) <= kInDoorway_m) continue;
+    walls.insert(walls.end(), sight.door_faces[i].begin(), sight.door_faces[i].end());
+  }
   for (int c = 0; c < profile.num_columns(); ++c) {
     const auto i = static_cast<size_t>(c);
-    const double r = RayDistance(layout, columns.origin, columns.directions[i]);
+    double r = kInfinity;
+    for (const Segment2& wall : walls)
+      r = std::min(r, RayDistance({wall[0], wall[1]}, columns.origin, columns.directions[i]));
     if (!std::isfinite(r) || r <= 0) {
       profile.is_seen[i] = 0;
       continue;
@@ -198,7 +235,7 @@ ColumnFigures EvaluateColumns(const Scene& scene, const Structure& structure,
     ENFILADE_CHECK(view_idx < scene.views.size());
     if (truth_idx[view_idx] < 0) continue;
     const TruthView& truth_view = truth.views[static_cast<size_t>(truth_idx[view_idx])];
-    if (!HasLayout(truth_view)) continue;
+    if (!truth_view.is_inside || truth_view.visible_layout.size() < 3) continue;
     figures.panoramas.push_back(
         EvaluatePanorama(scene.views[view_idx], profile, structure, truth_view, truth, options));
   }
@@ -223,13 +260,13 @@ Structure WithTrueProfiles(const Scene& scene, const Structure& structure, const
   for (WallProfile& profile : result.profiles) {
     const auto view_idx = static_cast<size_t>(profile.view_idx);
     const int idx = truth_idx[view_idx];
-    const TruthView* truth_view = idx < 0 ? nullptr : &truth.views[static_cast<size_t>(idx)];
-    if (truth_view == nullptr || !HasLayout(*truth_view)) {
+    if (idx < 0) {
       std::fill(profile.is_seen.begin(), profile.is_seen.end(), uint8_t{0});
       continue;
     }
-    SetTrueWalls(PlaceColumns(scene.views[view_idx], *truth_view, structure, profile.num_columns()),
-                 truth_view->visible_layout, structure.bin_m, profile);
+    const TruthView& truth_view = truth.views[static_cast<size_t>(idx)];
+    SetTrueWalls(PlaceColumns(scene.views[view_idx], truth_view, structure, profile.num_columns()),
+                 SightOnStorey(truth, truth_view.storey_idx), structure.bin_m, profile);
   }
   return result;
 }

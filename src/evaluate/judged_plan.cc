@@ -151,6 +151,17 @@ std::vector<Segment2> OutlineOf(const MultiPolygon2& region) {
   return edges;
 }
 
+std::vector<Segment2> PartsBehind(const Segment2& opening, const std::vector<Segment2>& segments) {
+  std::vector<Segment2> parts;
+  for (const Segment2& segment : segments) {
+    if (!IsCutInto(segment, opening)) continue;
+    const auto [from, to] = CoveredInterval(segment, opening);
+    const Vector2d direction = (segment[1] - segment[0]).normalized();
+    if (from < to) parts.push_back({segment[0] + from * direction, segment[0] + to * direction});
+  }
+  return parts;
+}
+
 std::vector<Segment2> CutOpenings(const std::vector<Segment2>& segments,
                                   const std::vector<Segment2>& openings) {
   std::vector<Segment2> parts;

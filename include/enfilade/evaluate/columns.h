@@ -59,13 +59,14 @@ struct ColumnOptions {
                                             std::span<const int> truth_idx,
                                             const ColumnOptions& options = {});
 
-/// The structure that a faultless search for walls would have found: each column of a panorama
-/// taken inside its true layout has the distance to that layout as its certain wall, with no
-/// obstacle before it. What later stages make of this is the most that better wall profiles can
-/// bring. Doors of the layout are wall. Headings and heights stay as they were found.
+/// The structure that a faultless search for walls would have found: each column has the distance
+/// from where the camera truly stands to the first true wall as its certain wall, with no obstacle
+/// before it. What later stages make of this is the most that better wall profiles can bring. Doors
+/// are shut, but for those that the camera stands in (0.5 m); wide openings are open. Headings and
+/// heights stay as they were found.
 ///
-/// `truth_idx` and frames as for EvaluateColumns. Panoramas without truth, and columns that miss
-/// their layout, count as not seen.
+/// `truth_idx` and frames as for EvaluateColumns. Panoramas without truth, and columns without a
+/// wall, count as not seen.
 [[nodiscard]] Structure WithTrueProfiles(const Scene& scene, const Structure& structure,
                                          const GroundTruth& truth, std::span<const int> truth_idx);
 

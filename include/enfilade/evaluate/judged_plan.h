@@ -51,6 +51,10 @@ inline constexpr double kDoorDistance_m = 0.4;
 [[nodiscard]] std::vector<Segment2> CutOpenings(const std::vector<Segment2>& segments,
                                                 const std::vector<Segment2>& openings);
 
+/// What the opening takes out of each segment, by the same rule.
+[[nodiscard]] std::vector<Segment2> PartsBehind(const Segment2& opening,
+                                                const std::vector<Segment2>& segments);
+
 /// All edges of a region's rings.
 [[nodiscard]] std::vector<Segment2> OutlineOf(const MultiPolygon2& region);
 
