@@ -57,7 +57,8 @@ Vector2d Center(const Segment2& segment) { return 0.5 * (segment[0] + segment[1]
 class RoomJoiner {
  public:
   // `first` is what this room is one with, or the room itself; it has been added before others.
-  void Add(size_t first, const MultiPolygon2& region, std::optional<double> ceiling_m) {
+  void Add(size_t first, const MultiPolygon2& region, const MultiPolygon2& passages,
+           std::optional<double> ceiling_m) {
     const auto [entry, is_new] = joined_idx_.emplace(first, rooms_.size());
     const size_t j = entry->second;
     if (is_new) {
@@ -65,6 +66,7 @@ class RoomJoiner {
       largest_m2_.push_back(-1);
     }
     rooms_[j].region = is_new ? region : Union(rooms_[j].region, region);
+    if (!passages.empty()) rooms_[j].region = Union(rooms_[j].region, passages);
     const double area_m2 = Area(region);
     if (area_m2 <= largest_m2_[j]) return;
     largest_m2_[j] = area_m2;
@@ -82,10 +84,14 @@ class RoomJoiner {
 // The storey's rooms, those that a wide opening joins taken together.
 std::vector<JudgedRoom> JoinedRooms(const Storey& storey, const Rigid3& world_from_home) {
   const std::vector<size_t> first = FirstJoinedRooms(storey);
+  const std::vector<MultiPolygon2> passages = Passages(storey);
   RoomJoiner joiner;
   for (size_t i = 0; i < storey.rooms.size(); ++i) {
     const Room& room = storey.rooms[i];
-    joiner.Add(first[i], {ToWorld(world_from_home, room.polygon)}, room.ceiling_z - room.floor_z);
+    MultiPolygon2 floor;
+    for (const Polygon2& passage : passages[i]) floor.push_back(ToWorld(world_from_home, passage));
+    joiner.Add(first[i], {ToWorld(world_from_home, room.polygon)}, floor,
+               room.ceiling_z - room.floor_z);
   }
   return joiner.rooms();
 }
@@ -193,7 +199,7 @@ JudgedPlan JudgedPlanOf(const GroundTruth& truth) {
     const TruthRoom& room = truth.rooms[i];
     std::optional<double> ceiling_m;
     if (room.floor_z && room.ceiling_z) ceiling_m = *room.ceiling_z - *room.floor_z;
-    joiner.Add(room.joined_to.value_or(i), room.region, ceiling_m);
+    joiner.Add(room.joined_to.value_or(i), room.region, room.passages, ceiling_m);
   }
   plan.rooms = joiner.rooms();
   for (const Segment2& wall : truth.walls) {

@@ -19,7 +19,6 @@ using Eigen::Vector2d;
 // An opening stands on its wall's face up to the rounding of the file; the other face of the wall
 // is cut by the same opening moved through the wall.
 constexpr double kOpeningToWall_m = 0.05;
-constexpr double kMaxThickness_m = 1.0;
 
 // An opening with its wall: where it cuts the two faces.
 struct Cut {
@@ -33,34 +32,12 @@ TruthSegment Moved(const TruthSegment& segment, const Vector2d& by) {
   return {segment[0] + by, segment[1] + by};
 }
 
-// How far the face of the room behind an opening lies from its own: by that room's outline, as a
-// wall may be thicker behind one part of its face than behind another; else by the wall.
-double DistanceThrough(const Storey& storey, const Opening& opening, const Wall& wall,
-                       const Vector2d& outward) {
-  const Vector2d middle = 0.5 * (opening.a + opening.b);
-  for (const Room& room : storey.rooms) {
-    if (opening.other_room_id != room.id) continue;
-    const double distance = RayDistance(room.polygon.outer, middle, outward);
-    if (distance <= kMaxThickness_m) return distance;
-  }
-  return wall.thickness_m;
-}
-
 std::vector<Cut> CutsOf(const Storey& storey) {
   std::vector<Cut> cuts;
   for (const Opening& opening : storey.openings) {
-    const auto wall = std::find_if(storey.walls.begin(), storey.walls.end(),
-                                   [&](const Wall& w) { return w.id == opening.wall_id; });
-    Vector2d through = Vector2d::Zero();
-    if (wall != storey.walls.end() && (wall->b - wall->a).norm() > 0) {
-      const Vector2d along = (wall->b - wall->a).normalized();
-      Vector2d outward(along.y(), -along.x());  // the first room is on the left
-      if (opening.room_id != wall->room_id) outward = -outward;
-      through = DistanceThrough(storey, opening, *wall, outward) * outward;
-    }
     const TruthSegment near{opening.a, opening.b};
-    cuts.push_back(
-        {opening.kind, opening.room_id, opening.other_room_id, near, Moved(near, through)});
+    cuts.push_back({opening.kind, opening.room_id, opening.other_room_id, near,
+                    Moved(near, ThroughWall(storey, opening))});
   }
   return cuts;
 }
@@ -169,9 +146,12 @@ GroundTruth ReadFloorplanTruth(const std::filesystem::path& path,
       AppendRoom(room, static_cast<int>(i), cuts, to_world, truth);
     }
     const std::vector<size_t> first = FirstJoinedRooms(plan.storeys[i]);
+    const std::vector<MultiPolygon2> passages = Passages(plan.storeys[i]);
     const size_t base = truth.rooms.size() - first.size();
     for (size_t k = 0; k < first.size(); ++k) {
       if (first[k] != k) truth.rooms[base + k].joined_to = base + first[k];
+      for (const Polygon2& passage : passages[k])
+        truth.rooms[base + k].passages.push_back({to_world(passage.outer), {}});
     }
     for (const Cut& cut : cuts) {
       if (cut.kind != OpeningKind::kDoor) continue;

@@ -46,7 +46,8 @@ TEST(JudgedPlan, AWideOpeningMakesOneRoom) {
   openings[1].b.x() += 0.4;
   const JudgedPlan plan = JudgedPlanOf(MakePlan(SmallHomeRooms(), openings));
   ASSERT_EQ(plan.rooms.size(), 2U);
-  EXPECT_NEAR(Area(plan.rooms[1].region), 4 * 3 + 8.1 * 1.5, 1e-9);
+  ASSERT_EQ(plan.rooms[1].region.size(), 1U);
+  EXPECT_NEAR(Area(plan.rooms[1].region), 4 * 3 + 8.1 * 1.5 + 1.3 * 0.1, 1e-9);
   openings[1].kind = OpeningKind::kDoor;  // a wide door is a door
   EXPECT_EQ(JudgedPlanOf(MakePlan(SmallHomeRooms(), openings)).rooms.size(), 3U);
 }
@@ -54,12 +55,15 @@ TEST(JudgedPlan, AWideOpeningMakesOneRoom) {
 TEST(JudgedPlan, TheTruthJoinsWhatAPlanJoins) {
   SmallHome home = MakeSmallHome();
   home.truth.rooms[2].joined_to = 1;
+  const Ring2 passage = {{6, 2.99}, {6.9, 2.99}, {6.9, 3.11}, {6, 3.11}};
+  home.truth.rooms[2].passages = {{passage, {}}};
   const double smaller_m2 = Area(home.truth.rooms[1].region);
   const double larger_m2 = Area(home.truth.rooms[2].region);
   home.truth.rooms[1].ceiling_z = 9;
   const JudgedPlan plan = JudgedPlanOf(home.truth);
   ASSERT_EQ(plan.rooms.size(), 2U);
-  EXPECT_NEAR(Area(plan.rooms[1].region), smaller_m2 + larger_m2, 1e-9);
+  ASSERT_EQ(plan.rooms[1].region.size(), 1U);
+  EXPECT_NEAR(Area(plan.rooms[1].region), smaller_m2 + larger_m2 + 0.9 * 0.1, 1e-9);
   ASSERT_LT(smaller_m2, larger_m2);
   EXPECT_LT(*plan.rooms[1].ceiling_m, 5);
 }

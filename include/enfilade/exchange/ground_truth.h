@@ -37,6 +37,7 @@ struct TruthRoom {
   /// The first of the rooms that wide openings make one with this, as an index into
   /// GroundTruth::rooms; none if this is the first, or alone.
   std::optional<size_t> joined_to;
+  MultiPolygon2 passages;  ///< the floor within those of these openings that stand with this room
 };
 
 /// What a result is judged against, whatever file it was read from.
