@@ -24,4 +24,5 @@ if(ENFILADE_BUILD_TESTS)
 endif()
 if(ENFILADE_BUILD_BENCHMARKS)
   find_package(benchmark REQUIRED)
+  find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs ximgproc)  # a rival
 endif()
