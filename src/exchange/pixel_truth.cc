@@ -3,7 +3,6 @@
 #include "enfilade/exchange/pixel_truth.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -25,11 +24,6 @@ void Require(const Image<T>& image, int channels, const std::filesystem::path& p
 }
 
 }  // namespace
-
-std::span<const std::string_view> EnumNames(SurfaceLabel) {
-  static constexpr std::array<std::string_view, 4> kNames = {"other", "floor", "wall", "ceiling"};
-  return kNames;
-}
 
 ImageU8 ReadTruthLabels(const std::filesystem::path& path) {
   ImageU8 labels = ReadImageGray(path);

@@ -4,16 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
-#include <string_view>
 
 #include "enfilade/image/image.h"
+#include "enfilade/scene/surface_label.h"
 
 namespace enfilade {
-
-/// What a pixel shows, structurally: closed door leaves, windows, frames and baseboards are wall.
-enum class SurfaceLabel : uint8_t { kOther, kFloor, kWall, kCeiling };
-[[nodiscard]] std::span<const std::string_view> EnumNames(SurfaceLabel);
 
 /// The truth about every pixel of an equirectangular panorama (docs/formats.md), one file at a time
 /// as a TruthView names it. All are twice as wide as high. They throw IoError, and
