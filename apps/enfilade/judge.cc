@@ -27,6 +27,7 @@
 #include "enfilade/exchange/scene_json.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/pipeline/draw_plan.h"
+#include "enfilade/pipeline/label_file.h"
 #include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
 
@@ -99,10 +100,14 @@ MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
     WriteFileAtomic(workspace.error_maps_folder() / map_names[view_idx],
                     RenderErrorMapPng(map, ReadPictureIfSame(view), PrintablePath(view.picture)));
   };
+  const auto label_source = [&](int view_idx) {
+    return ReadLabelMaps(workspace.structure_folder(), view_idx);
+  };
   const EvaluationInput input{.scene = &scene,
                               .structure = results.structure ? &*results.structure : nullptr,
                               .floorplan = results.floorplan ? &*results.floorplan : nullptr,
                               .model = results.model ? &*results.model : nullptr,
+                              .label_source = label_source,
                               .model_error_sink = write_map};
   EvaluationReport report = Evaluate(input, truth, EvaluateOptions{}, context);
   AddCosts(manifest, report.figures);
@@ -121,6 +126,7 @@ JudgedPlan JudgePlan(const Results& results, const Floorplan& plan, const Ground
                               .structure = nullptr,
                               .floorplan = &plan,
                               .model = nullptr,
+                              .label_source = {},
                               .model_error_sink = {}};
   return {input, Evaluate(input, truth, EvaluateOptions{}, context)};
 }

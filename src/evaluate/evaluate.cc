@@ -212,9 +212,13 @@ void EvaluateMoved(const EvaluationInput& input, const GroundTruth& truth,
     report.columns =
         EvaluateColumns(*input.scene, *input.structure, truth, truth_idx, options.columns);
     AddColumns(report.columns, report.figures);
-    report.labels = EvaluateLabels(*input.scene, *input.structure, truth, truth_idx, context);
+    report.labels = EvaluateLabels(*input.scene, *input.structure, truth, truth_idx,
+                                   input.label_source, context);
     report.figures["label_accuracy"] = report.labels.accuracy;
     report.figures["label_iou_mean"] = report.labels.iou_mean;
+    report.figures["label_accuracy_points"] = report.labels.points_accuracy;
+    report.figures["label_accuracy_free_space"] = report.labels.free_space_accuracy;
+    report.figures["label_accuracy_superpixels"] = report.labels.superpixel_accuracy;
   }
   context.CheckStop();
   if (input.floorplan != nullptr) {

@@ -64,6 +64,9 @@ constexpr FigureInfo kFigures[] = {
     {"pose_scale_error", "poses", FigureUnit::kShare, FigureSense::kLowerIsBetter},
     {"label_accuracy", "labels", FigureUnit::kShare, FigureSense::kHigherIsBetter},
     {"label_iou_mean", "labels", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"label_accuracy_points", "labels", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"label_accuracy_free_space", "labels", FigureUnit::kShare, FigureSense::kHigherIsBetter},
+    {"label_accuracy_superpixels", "labels", FigureUnit::kShare, FigureSense::kHigherIsBetter},
     {"sigma1_coverage", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
     {"sigma2_coverage", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
     {"sigma1_coverage_seen", "uncertainty", FigureUnit::kShare, FigureSense::kNeutral},
@@ -135,7 +138,11 @@ std::map<int, nlohmann::json> PanoramasToJson(const EvaluationReport& report) {
   }
   for (const PanoramaLabels& labels : report.labels.panoramas) {
     panoramas[labels.view_idx].update(
-        {{"label_accuracy", ToJson(labels.accuracy)}, {"label_iou_mean", ToJson(labels.iou_mean)}});
+        {{"label_accuracy", ToJson(labels.accuracy)},
+         {"label_iou_mean", ToJson(labels.iou_mean)},
+         {"label_accuracy_points", ToJson(labels.points_accuracy)},
+         {"label_accuracy_free_space", ToJson(labels.free_space_accuracy)},
+         {"label_accuracy_superpixels", ToJson(labels.superpixel_accuracy)}});
   }
   for (const PanoramaModelError& model : report.model_error.panoramas) {
     panoramas[model.view_idx].update({{"model_hit_share", ToJson(model.hit_share)},

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "enfilade/base/file.h"
 #include "enfilade/base/json.h"
 #include "enfilade/exchange/colmap_writer.h"
 #include "enfilade/exchange/connection_report.h"
@@ -19,11 +20,13 @@
 #include "enfilade/exchange/scene_json.h"
 #include "enfilade/exchange/transforms_writer.h"
 #include "enfilade/floorplan/solve.h"
+#include "enfilade/image/codec.h"
 #include "enfilade/model/extrude.h"
 #include "enfilade/model/texture.h"
 #include "enfilade/pipeline/draw_plan.h"
 #include "enfilade/pipeline/evidence_file.h"
 #include "enfilade/pipeline/gather_evidence.h"
+#include "enfilade/pipeline/label_file.h"
 #include "enfilade/pipeline/pipeline.h"
 #include "enfilade/pipeline/structure_file.h"
 #include "enfilade/sfm/given_poses.h"
@@ -135,10 +138,27 @@ StageResult StoreScene(const Workspace& workspace, const Scene& read, const SfmO
   return {};
 }
 
+// The label maps of panoramas, with a picture of each where the map is one of the picture's own
+// pixels.
+void WriteLabels(const Workspace& workspace, const Scene& scene,
+                 const std::vector<Classification>& classifications, RunContext& context) {
+  const std::filesystem::path folder = workspace.structure_folder();
+  CreateFolder(folder);
+  ParallelFor(context, "label maps", static_cast<int64_t>(classifications.size()), [&](int64_t i) {
+    const auto view_idx = static_cast<size_t>(i);
+    const View& view = scene.views[view_idx];
+    const LabelMaps& maps = classifications[view_idx].maps;
+    WriteLabelMaps(folder, static_cast<int>(i), maps);
+    if (view.camera.model == CameraModel::kEquirectangular)
+      WriteLabelPicture(folder, static_cast<int>(i), maps, ReadImageRgb(view.path));
+  });
+}
+
 StageResult FindStructure(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
   const Scene scene = ReadSceneWithPictures(workspace);
   const StructureReport report = AnalyzeStructure(scene, options.structure, context);
+  WriteLabels(workspace, scene, report.classifications, context);
   WriteStructure(workspace.structure_folder(), report.structure);
   return {};
 }

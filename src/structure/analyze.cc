@@ -12,10 +12,14 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
+#include "enfilade/evidence/accumulate.h"
+#include "enfilade/evidence/core.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/structure/level_panorama.h"
 #include "enfilade/structure/wall_confidence.h"
+#include "enfilade/structure/wall_samples.h"
+#include "src/structure/label_view.h"
 
 namespace enfilade {
 namespace {
@@ -38,6 +42,8 @@ constexpr int kShareRadii = 8;
 constexpr double kShareThroughDoor = 0.3, kShareInRoom = 0.7;
 // So well a ceiling's height is known: its line may be this far off.
 constexpr double kCeilingError_m = 0.02;
+// Cells of the free space that bounds where walls may stand.
+constexpr double kLabelCell_m = 0.05;
 
 // What is kept of one panorama while its storey is solved.
 struct ViewWork {
@@ -48,6 +54,9 @@ struct ViewWork {
   ColumnScores lines;            // weighed floor and ceiling lines
   WallPath path;
   CeilingEstimate ceiling;
+  ClassifyView label_view;
+  Classification classification;
+  ColumnScores labels;  // weighed; empty until there are labels
 };
 
 double EstimateHeading(const Scene& scene, const StructureOptions& options, RunContext& context) {
@@ -111,6 +120,13 @@ class StoreySolver {
     ScoreLines(options_.use_ceiling);
     FindPaths(!options_.use_shared);
     if (options_.use_shared) FindPathsTogether();
+    if (options_.mode == StructureMode::kProfile) return;
+    Classify();
+    if (options_.mode == StructureMode::kPaper) {
+      FindPathsOfLabels();
+    } else {
+      options_.use_shared ? FindPathsTogether() : FindPaths(true);
+    }
   }
 
   [[nodiscard]] StoreyStructure storey() const {
@@ -139,6 +155,18 @@ class StoreySolver {
     return profile;
   }
 
+  // Moves the panoramas' classifications to their views.
+  void TakeClassifications(std::vector<Classification>& classifications) {
+    ParallelFor(context_, "", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      const auto view_idx = static_cast<size_t>(members_[static_cast<size_t>(i)]);
+      Classification& result = classifications[view_idx];
+      result = std::move(works_[static_cast<size_t>(i)].classification);
+      const Eigen::Matrix3d home_from_cam =
+          home_from_world_.rotation * scene_.views[view_idx].world_from_cam.rotation;
+      result.maps = MapsInCamera(result.maps, home_from_cam);
+    });
+  }
+
   [[nodiscard]] const DistanceBins& bins() const { return bins_; }
   [[nodiscard]] const std::vector<int>& members() const { return members_; }
 
@@ -163,6 +191,8 @@ class StoreySolver {
       work.position = panorama.position;
       work.response = ComputeLineResponse(panorama, options_.num_columns, families_, options_.line);
       work.is_seen = SeenColumns(panorama);
+      if (options_.mode != StructureMode::kProfile)
+        work.label_view = MakeLabelView(panorama, work.response, options_.classify);
       if (options_.use_correlation) {
         tables[static_cast<size_t>(i)] =
             std::make_unique<StripTable>(panorama, camera_z - options_.correlation.below_m,
@@ -369,6 +399,7 @@ class StoreySolver {
       // The ceiling line alone comes after the first paths, for which nothing is known then.
       if (!options_.use_floor && !options_.use_correlation) AddScores(NoScores(), 1.0, scores);
       AddScores(work.correlation, 1.0, scores);
+      AddScores(work.labels, 1.0, scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, with_likelihood);
     });
   }
@@ -400,7 +431,90 @@ class StoreySolver {
                             options_.use_ceiling ? &ceiling : nullptr, kCorrelationColumnStep,
                             bins_, options_.shared),
                 options_.shared_weight, scores);
+      AddScores(work.labels, 1.0, scores);
       work.path = FindWallPath(scores, bins_, options_.viterbi, true);
+    });
+  }
+
+  // The profiles so far, and nothing for the other panoramas.
+  [[nodiscard]] Structure StructureSoFar() const {
+    Structure structure;
+    structure.home_from_world = home_from_world_;
+    structure.bin_m = bins_.Centers();
+    structure.profiles.resize(scene_.views.size());
+    for (size_t i = 0; i < works_.size(); ++i)
+      structure.profiles[static_cast<size_t>(members_[i])] = Profile(i);
+    return structure;
+  }
+
+  // Floor, wall and ceiling of every panorama, from the core of what the profiles see free.
+  void Classify() {
+    const int storey_idx = scene_.views[static_cast<size_t>(members_.front())].storey_idx;
+    AccumulateOptions grid;
+    grid.cell_m = kLabelCell_m;
+    EvidenceGrids evidence =
+        AccumulateEvidence(MakeWallSamples(StructureSoFar(), scene_, storey_idx), {}, grid,
+                           context_)
+            .grids;
+    if (!evidence.free.empty()) evidence.core = FindCore(evidence, {}, context_).core;
+    std::vector<ClassifyView> views;
+    for (ViewWork& work : works_) {
+      ClassifyView& view = views.emplace_back(std::move(work.label_view));
+      view.floor_m = work.position.z() - floor_.floor_z;
+      view.ceiling_m = work.ceiling.ceiling_z - work.position.z();
+      if (!evidence.core.empty()) {
+        view.clear_m =
+            ClearDistances(evidence, work.position.head<2>(), view.superpixels.label.cols());
+      }
+    }
+    std::vector<Classification> results = ClassifyPanoramas(views, options_.classify, context_);
+    TellOfSeeds(results);
+    ParallelFor(context_, "label scores", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      const auto k = static_cast<size_t>(i);
+      ViewWork& work = works_[k];
+      work.classification = std::move(results[k]);
+      work.labels = ColumnScores();
+      AddScores(ScoreLabels(views[k], work.classification, options_.num_columns, bins_,
+                            options_.max_label_loss),
+                options_.label_weight, work.labels);
+      DropUnusedFamilies(work.labels);
+    });
+  }
+
+  void TellOfSeeds(const std::vector<Classification>& results) const {
+    Classification sum;
+    for (const Classification& result : results) {
+      sum.energy += result.energy;
+      sum.seed_energy += result.seed_energy;
+      sum.num_superpixels += result.num_superpixels;
+      sum.num_point_seeds += result.num_point_seeds;
+      sum.num_free_seeds += result.num_free_seeds;
+      sum.num_contradictions += result.num_contradictions;
+      for (size_t k = 0; k < 3; ++k) sum.seed_sr[k] += result.seed_sr[k];
+    }
+    context_.log().Info(fmt::format(
+        "{} superpixels: {} labelled by points, {} by free space; energy {:.0f} by themselves, "
+        "{:.0f} "
+        "together",
+        sum.num_superpixels, sum.num_point_seeds, sum.num_free_seeds, sum.seed_energy, sum.energy));
+    if (sum.num_contradictions > 0) {
+      context_.log().Warning(fmt::format(
+          "{} superpixels have points of a wall before the end of free space, which is believed",
+          sum.num_contradictions));
+    }
+    constexpr std::array<std::string_view, 3> kNames = {"floor", "wall", "ceiling"};
+    for (size_t k = 0; k < 3; ++k) {
+      if (sum.seed_sr[k] > 0) continue;
+      context_.log().Warning(fmt::format(
+          "no superpixel is surely {}: its labels follow from elevation alone", kNames[k]));
+    }
+  }
+
+  // Walls by the labels alone.
+  void FindPathsOfLabels() {
+    ParallelFor(context_, "label profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      ViewWork& work = works_[static_cast<size_t>(i)];
+      work.path = FindWallPath(work.labels, bins_, options_.viterbi, true);
     });
   }
 
@@ -452,6 +566,11 @@ class StoreySolver {
 
 }  // namespace
 
+std::span<const std::string_view> EnumNames(StructureMode) {
+  static constexpr std::array<std::string_view, 3> kNames = {"profile", "joint", "paper"};
+  return kNames;
+}
+
 StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& options,
                                  RunContext& context) {
   ENFILADE_CHECK(!scene.views.empty());
@@ -479,6 +598,10 @@ StructureReport AnalyzeStructure(const Scene& scene, const StructureOptions& opt
     solver.Solve();
     structure.storeys.push_back(solver.storey());
     structure.bin_m = solver.bins().Centers();
+    if (options.mode != StructureMode::kProfile) {
+      report.classifications.resize(scene.views.size());
+      solver.TakeClassifications(report.classifications);
+    }
     for (size_t i = 0; i < solver.members().size(); ++i) {
       WallProfile profile = solver.Profile(i);
       structure.profiles[static_cast<size_t>(profile.view_idx)] = std::move(profile);

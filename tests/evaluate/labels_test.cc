@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,9 +21,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-LabelFigures Judge(const SmallHome& home, std::vector<int> truth_idx = {0, 1, 2}) {
+LabelFigures Judge(const SmallHome& home, std::vector<int> truth_idx = {0, 1, 2},
+                   const LabelSource& maps = {}) {
   RunContext context(2);
-  return EvaluateLabels(home.scene, home.structure, home.truth, truth_idx, context);
+  return EvaluateLabels(home.scene, home.structure, home.truth, truth_idx, maps, context);
 }
 
 // The twin: walks along the ray in small steps until it leaves the room.
@@ -85,7 +87,7 @@ TEST(EvaluateLabels, CountsPixelsAndLeavesOutFurniture) {
   for (int col = 0; col < 64; ++col) labels(31, col) = 0;
   for (int col = 0; col < 64; ++col) labels(30, col) = static_cast<uint8_t>(SurfaceLabel::kCeiling);
   WriteImage(folder / "a.png", labels);
-  const LabelFigures figures = Judge(home);
+  const LabelFigures figures = Judge(home, {0, -1, -1});
   ASSERT_EQ(figures.panoramas.size(), 1u);
   EXPECT_NEAR(*figures.accuracy, 30.0 / 31, 1e-12);
   int num_floor = 0, num_ceiling = 0;
@@ -108,14 +110,43 @@ TEST(EvaluateLabels, ColumnsWithoutADistanceCountAsWrong) {
   EXPECT_EQ(Judge(home).accuracy, 0.0);
 }
 
-TEST(EvaluateLabels, WithoutTrueLabelsThereAreNoFigures) {
+TEST(EvaluateLabels, WithoutTrueLabelsTheLayoutIsProjected) {
   const TempFolder folder;
   SmallHome home = MakeSmallHome();
+  EXPECT_GT(*Judge(home).accuracy, 0.99);
+  EXPECT_EQ(Judge(home).superpixel_accuracy, std::nullopt);
+  home.structure.profiles[0].ceiling_z += 0.5;
+  EXPECT_LT(*Judge(home).panoramas[0].accuracy, 0.97);
+  for (TruthRoom& room : home.truth.rooms) room.ceiling_z.reset();
   EXPECT_EQ(Judge(home).accuracy, std::nullopt);
   WritePixelTruth(folder.path(), home);
   EXPECT_EQ(Judge(home, {-1, -1, -1}).accuracy, std::nullopt);
   WriteFileAtomic(home.truth.views[1].labels_path, "broken");
   EXPECT_THROW((void)Judge(home), InvalidInputError);
+}
+
+TEST(EvaluateLabels, MapsAreJudgedStageByStage) {
+  const TempFolder folder;
+  SmallHome home = MakeSmallHome();
+  WritePixelTruth(folder.path(), home);
+  const auto maps = [&](int view_idx) -> std::optional<LabelMaps> {
+    if (view_idx == 2) return std::nullopt;
+    LabelMaps found;
+    // Half of the rows, as at half the resolution, nothing yet, and all that is not furniture.
+    const ImageU8 truth =
+        ReadTruthLabels(home.truth.views[static_cast<size_t>(view_idx)].labels_path);
+    found.final_labels = truth;
+    found.after_points = ImageU8(truth.rows() / 2, truth.cols() / 2);
+    found.after_free_space = truth;
+    for (int r = 0; r < truth.rows() / 2; ++r)
+      std::fill_n(found.after_free_space.row(r), truth.cols(), uint8_t{0});
+    return found;
+  };
+  const LabelFigures figures = Judge(home, {0, 1, 2}, maps);
+  EXPECT_EQ(figures.superpixel_accuracy, 1.0);
+  EXPECT_EQ(figures.points_accuracy, 0.0);
+  EXPECT_NEAR(*figures.free_space_accuracy, 0.5, 0.05);
+  EXPECT_EQ(figures.panoramas[2].superpixel_accuracy, std::nullopt);
 }
 
 }  // namespace

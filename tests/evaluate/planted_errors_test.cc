@@ -128,6 +128,9 @@ TEST_F(PlantedErrors, WithoutAnyEveryFigureIsPerfect) {
       {"pose_scale_error", Value{0}},
       {"label_accuracy", Value{1, 0.005}},  // 360 columns
       {"label_iou_mean", Value{1, 0.01}},
+      {"label_accuracy_points", std::nullopt},
+      {"label_accuracy_free_space", std::nullopt},
+      {"label_accuracy_superpixels", std::nullopt},
       {"sigma1_coverage", Value{1}},
       {"sigma2_coverage", Value{1}},
       {"sigma1_coverage_seen", Value{1}},

@@ -189,7 +189,11 @@ SmallHome MakeSmallHome() {
   for (const Opening& door : SmallHomeDoors()) home.truth.doors.push_back({door.a, door.b});
   for (int i = 0; i < static_cast<int>(rooms.size()); ++i) {
     const size_t room = static_cast<size_t>(i);
-    home.truth.rooms.push_back({{{rooms[room], {}}}, 0, 0.0, kCeilings_m[i]});
+    home.truth.rooms.push_back({.region = {{rooms[room], {}}},
+                                .floor_z = 0.0,
+                                .ceiling_z = kCeilings_m[i],
+                                .joined_to = {},
+                                .passages = {}});
     TruthView truth;
     truth.picture = "picture_" + std::to_string(i) + ".jpg";
     truth.sha256 = std::string(64, static_cast<char>('a' + i));

@@ -28,6 +28,7 @@ struct EvaluationInput {
   const Structure* structure = nullptr;
   const Floorplan* floorplan = nullptr;
   const BuildingModel* model = nullptr;  ///< requires `scene` and `floorplan`: its home frame
+  LabelSource label_source = {};         ///< of the superpixels' labels, if there are any
   ModelErrorSink model_error_sink = {};  ///< is given the error map of every panorama, if set
 };
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "enfilade/base/options.h"
 #include "enfilade/base/run_context.h"
 #include "enfilade/scene/types.h"
+#include "enfilade/structure/classify.h"
 #include "enfilade/structure/column_scores.h"
 #include "enfilade/structure/heading.h"
 #include "enfilade/structure/heights.h"
@@ -19,7 +22,13 @@
 
 namespace enfilade {
 
+/// What finds the walls: lines and correlation; these and the labels of superpixels; or the labels
+/// alone, as the source paper does.
+enum class StructureMode { kProfile, kJoint, kPaper };
+[[nodiscard]] std::span<const std::string_view> EnumNames(StructureMode);
+
 struct StructureOptions {
+  StructureMode mode = StructureMode::kProfile;
   int num_columns = 1024;
   int max_width = 2048;
   double max_distance_m = 20.0;
@@ -35,6 +44,8 @@ struct StructureOptions {
   double ceiling_weight = 1.0;
   double correlation_weight = 1.5;
   double shared_weight = 1.0;
+  double label_weight = 3.0;
+  double max_label_loss = 0.2;
   double clear_response = 0.4;
   HeadingOptions heading;
   LineResponseOptions line;
@@ -43,9 +54,11 @@ struct StructureOptions {
   StripCorrelationOptions correlation;
   SharedScoresOptions shared;
   HeightOptions height;
+  ClassifyOptions classify;
   PlaneViterbiOptions viterbi;
 
   void Visit(OptionVisitor& v) {
+    v("mode", mode, "What finds walls: lines and correlation, the labels of superpixels, or both.");
     v("num_columns", num_columns, "Columns of a wall profile; a power of two.", {64, 4096});
     v("max_width", max_width, "Width to which larger panoramas are reduced, pixels.", {256, 8192});
     v("max_distance_m", max_distance_m, "Farthest wall, metres.", {2.0, 200.0});
@@ -62,6 +75,11 @@ struct StructureOptions {
     v("ceiling_weight", ceiling_weight, "Weight of the ceiling line.", {0.0, 10.0});
     v("correlation_weight", correlation_weight, "Weight of the correlation.", {0.0, 10.0});
     v("shared_weight", shared_weight, "Weight of the lines that other panoramas see.", {0.0, 10.0});
+    v("label_weight", label_weight,
+      "Weight of the labels of superpixels, in modes joint and paper, per nat and radian.",
+      {0.0, 100.0});
+    v("max_label_loss", max_label_loss,
+      "Most that labels count against a wall, nats times radians.", {0.0, 10.0});
     v("clear_response", clear_response,
       "Weighed response of its lines from which a wall is believed in full; 0: every wall is.",
       {0.0, 10.0});
@@ -72,12 +90,15 @@ struct StructureOptions {
     v("correlation", correlation, "Correlation of wall strips.");
     v("shared", shared, "Lines that other panoramas see.");
     v("height", height, "Heights of floor and ceiling.");
+    v("classify", classify, "Classification of superpixels, in modes joint and paper.");
     v("viterbi", viterbi, "Choice of the walls round a panorama.");
   }
 };
 
 struct StructureReport {
   Structure structure;
+  /// One a view in modes joint and paper, with the maps as the view's camera saw them; else empty.
+  std::vector<Classification> classifications;
   std::vector<std::string> warnings;
 };
 
