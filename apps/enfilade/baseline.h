@@ -9,6 +9,7 @@
 #include "apps/enfilade/judge.h"
 #include "enfilade/base/options.h"
 #include "enfilade/base/run_context.h"
+#include "enfilade/baselines/orientation_map.h"
 #include "enfilade/baselines/plane_cut.h"
 #include "enfilade/evaluate/types.h"
 #include "enfilade/evidence/types.h"
@@ -22,10 +23,12 @@ namespace enfilade {
 struct BaselineOptions {
   EvidenceMode evidence = EvidenceMode::kCounts;
   PlaneCutOptions cut;
+  OrientationMapOptions orientation;
 
   void Visit(OptionVisitor& v) {
     v("evidence", evidence, "Grids that the cut is given; counts are those of the paper.");
     cut.Visit(v);
+    v("orientation", orientation, "Orientation maps.");
   }
 };
 

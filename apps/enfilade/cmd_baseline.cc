@@ -11,6 +11,7 @@
 #include "apps/enfilade/arguments.h"
 #include "apps/enfilade/baseline.h"
 #include "apps/enfilade/command.h"
+#include "apps/enfilade/rival_labels.h"
 #include "enfilade/exchange/ground_truth_reader.h"
 
 namespace enfilade {
@@ -40,7 +41,10 @@ int RunBaseline(const Arguments& arguments, const BaselineOptions& options, RunC
   });
   if (std::optional<RivalPlan> own = OwnPlan(manifest, results, truth))
     plans.insert(plans.begin(), std::move(*own));
+  const RivalLabels labels =
+      MakeOrientationMaps(workspace, results, truth, options.orientation, context);
   std::fputs(FormatRivals(plans).c_str(), stdout);
+  if (truth) std::fputs(FormatRivalLabels(labels).c_str(), stdout);
   return has_rooms ? kExitOk : kExitNoResult;
 }
 

@@ -75,6 +75,9 @@ TEST_F(Baseline, DrawsAndJudgesThreePlans) {
     EXPECT_TRUE(fs::exists(Rival(lambda) / "plan.svg"));
     EXPECT_TRUE(fs::exists(Rival(lambda) / "overlay.png"));
   }
+  EXPECT_THAT(result.out, HasSubstr("orientation maps 0."));
+  EXPECT_TRUE(fs::exists(output() / "baselines/orientation/labels_0000_final.png"));
+  EXPECT_TRUE(fs::exists(output() / "baselines/orientation/labels_0000.jpg"));
   EXPECT_EQ(ReadFile(output() / "floorplan.json"), own_plan);
 }
 
