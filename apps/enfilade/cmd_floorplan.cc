@@ -89,8 +89,8 @@ Action SetupFloorplan(CLI::App& parser) {
       ->required();
   parser
       .add_option("--vertices", arguments->vertices,
-                  "Corners of the outlines together (mode paper); without other options the plan "
-                  "that stands is drawn anew, not solved again")
+                  "Corners of all rooms together; without other options the plan that stands is "
+                  "drawn anew, not solved again")
       ->check(CLI::Range(4, 1000000))
       ->type_name("K");
   CLI::Option* explain = parser.add_flag(

@@ -151,6 +151,13 @@ Json ToJson(const PlanCamera& camera) {
           {"inferred", camera.is_inferred}, {"world_from_cam", ToJson(camera.world_from_cam)}};
 }
 
+Json ToJson(const VertexDial& dial) {
+  return {{"vertices", dial.num_vertices},
+          {"cost_m", Length(dial.cost_m)},
+          {"bound_m", Length(dial.bound_m)},
+          {"openings_dropped", dial.num_openings_dropped}};
+}
+
 // ---- Reading. Every function blames the file `where`.
 
 int IntegerOf(const Json& object, const char* key, const std::string& where) {
@@ -336,6 +343,38 @@ Storey StoreyOf(const Json& json, const std::string& where) {
   return storey;
 }
 
+VertexDial DialOf(const Json& json, const std::string& where) {
+  return {IntegerOf(json, "vertices", where), JsonNumber(json, "cost_m", where),
+          JsonNumber(json, "bound_m", where), IntegerOf(json, "openings_dropped", where)};
+}
+
+// What the dial needs: the rooms of the plan as drawn are those of the plan, and have walls where
+// they have curves.
+void CheckDialled(const Floorplan& plan, const std::string& where) {
+  const std::vector<Storey>& drawn = plan.drawn_storeys.empty() ? plan.storeys : plan.drawn_storeys;
+  const auto is_same_room = [](const Room& a, const Room& b) { return a.id == b.id; };
+  bool is_whole = drawn.size() == plan.storeys.size();
+  for (size_t s = 0; is_whole && s < drawn.size(); ++s) {
+    is_whole = std::equal(drawn[s].rooms.begin(), drawn[s].rooms.end(),
+                          plan.storeys[s].rooms.begin(), plan.storeys[s].rooms.end(), is_same_room);
+  }
+  if (!is_whole) {
+    throw InvalidInputError(where, "'drawn_storeys' has other rooms than 'storeys'",
+                            "make the plan again");
+  }
+  for (size_t s = 0; s < drawn.size(); ++s) {
+    for (const Room& room : plan.storeys[s].rooms) {
+      const auto is_its = [&](const Wall& wall) { return wall.room_id == room.id; };
+      if (!room.curve.empty() &&
+          std::none_of(drawn[s].walls.begin(), drawn[s].walls.end(), is_its)) {
+        throw InvalidInputError(where,
+                                "room " + std::to_string(room.id) + " has a curve but no walls",
+                                "make the plan again");
+      }
+    }
+  }
+}
+
 PlanCamera CameraOf(const Json& json, size_t num_storeys, const std::string& where) {
   PlanCamera camera;
   camera.picture = JsonString(json, "picture", where);
@@ -356,12 +395,15 @@ PlanCamera CameraOf(const Json& json, size_t num_storeys, const std::string& whe
 
 void WriteFloorplanJson(const std::filesystem::path& path, const Floorplan& floorplan,
                         const Json& provenance) {
-  WriteJsonFile(path, {{"format", kFormat},
-                       {"version", kVersion},
-                       {"home_from_world", ToJson(floorplan.home_from_world)},
-                       {"storeys", ListToJson(floorplan.storeys)},
-                       {"cameras", ListToJson(floorplan.cameras)},
-                       {"provenance", provenance}});
+  Json json = {{"format", kFormat},
+               {"version", kVersion},
+               {"home_from_world", ToJson(floorplan.home_from_world)},
+               {"storeys", ListToJson(floorplan.storeys)},
+               {"cameras", ListToJson(floorplan.cameras)},
+               {"provenance", provenance}};
+  if (floorplan.dial) json["dial"] = ToJson(*floorplan.dial);
+  if (!floorplan.drawn_storeys.empty()) json["drawn_storeys"] = ListToJson(floorplan.drawn_storeys);
+  WriteJsonFile(path, json);
 }
 
 Floorplan ReadFloorplanJson(const std::filesystem::path& path) {
@@ -382,6 +424,11 @@ Floorplan ReadFloorplanJson(const std::filesystem::path& path) {
   for (const Json& camera : ListOr(json, "cameras", where)) {
     floorplan.cameras.push_back(CameraOf(camera, floorplan.storeys.size(), where));
   }
+  if (json.contains("dial")) floorplan.dial = DialOf(json["dial"], where);
+  for (const Json& storey : ListOr(json, "drawn_storeys", where)) {
+    floorplan.drawn_storeys.push_back(StoreyOf(storey, where));
+  }
+  CheckDialled(floorplan, where);
   return floorplan;
 }
 

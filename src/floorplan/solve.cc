@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/cells.h"
-#include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/join_rooms.h"
 #include "src/floorplan/largest_part.h"
@@ -159,21 +157,11 @@ class Solver {
   FloorplanReport& report_;
 };
 
-void Dial(const FloorplanOptions& options, FloorplanReport& report) {
-  std::optional<Floorplan> plan = PlanWithVertices(report.plan, options.vertices);
-  if (plan) {
-    report.plan = *std::move(plan);
-    return;
-  }
-  report.outcome = FloorplanOutcome::kNoSuchNumber;
-  report.reason = WhyNoSuchNumber(report.plan, options.vertices);
-}
-
 }  // namespace
 
 void FloorplanOptions::Visit(OptionVisitor& v) {
   v("mode", mode, "Rooms with inner walls, or one outline as Cabral & Furukawa (2014) draw it.");
-  v("vertices", vertices, "Mode paper: corners of all outlines; 0: as many as pay.", {0, 1e6});
+  v("vertices", vertices, "Corners of all rooms together; 0: as many as pay.", {0, 1e6});
   v("turn_cost_m", turn_cost_m, "Cost of a corner, in metres of unseen wall.", {0.001, 10});
   v("margin_m", margin_m, "How far from the core walls are looked for.", {0.05, 100});
   v("seen_wall_log_odds", seen_wall_log_odds, "Wall evidence from which a wall counts as seen.",
@@ -238,7 +226,6 @@ FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
   } else {
     report.outcome = report.num_loops > 0 ? FloorplanOutcome::kFound : FloorplanOutcome::kNoLoop;
   }
-  if (options.vertices > 0 && report.outcome == FloorplanOutcome::kFound) Dial(options, report);
   return report;
 }
 

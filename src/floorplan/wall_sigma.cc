@@ -224,6 +224,21 @@ std::vector<WallSigma> FindWallSigmas(const EvidenceGrids& evidence, const Store
   return sigmas;
 }
 
+void AssignSumSigmas(const std::vector<WallSigma>& sigmas, Storey& storey) {
+  ENFILADE_CHECK(sigmas.size() == storey.walls.size());
+  const RingWalls ring = LinkWalls(storey.walls);
+  for (size_t i = 0; i < sigmas.size(); ++i)
+    storey.walls[i].length_sigma_m = LengthSigma(storey.walls, ring, sigmas, i);
+  for (Room& room : storey.rooms) {
+    std::vector<Part> parts;  // a wall that moves outwards adds its length times the way
+    for (size_t i = 0; i < sigmas.size(); ++i) {
+      const Wall& wall = storey.walls[i];
+      if (wall.room_id == room.id) parts.push_back({i, (wall.b - wall.a).norm()});
+    }
+    room.area_sigma_m2 = SigmaOfSum(sigmas, parts);
+  }
+}
+
 void AssignSigmas(const Scene& scene, const Structure& structure,
                   const std::vector<EvidenceGrids>& evidence, const FloorplanOptions& options,
                   Floorplan& plan) {
@@ -234,18 +249,8 @@ void AssignSigmas(const Scene& scene, const Structure& structure,
     const std::vector<WallSigma> sigmas =
         FindWallSigmas(evidence[s], storey,
                        FindWallWitnesses(scene, structure, storey, static_cast<int>(s)), options);
-    const RingWalls ring = LinkWalls(storey.walls);
-    for (size_t i = 0; i < sigmas.size(); ++i) {
-      storey.walls[i].sigma_m = sigmas[i].sigma_m;
-      storey.walls[i].length_sigma_m = LengthSigma(storey.walls, ring, sigmas, i);
-    }
-    for (Room& room : storey.rooms) {
-      std::vector<Part> parts;  // a wall that moves outwards adds its length times the way
-      for (size_t i = 0; i < sigmas.size(); ++i) {
-        if (storey.walls[i].room_id == room.id) parts.push_back({i, sigmas[i].grounds.length_m});
-      }
-      room.area_sigma_m2 = SigmaOfSum(sigmas, parts);
-    }
+    for (size_t i = 0; i < sigmas.size(); ++i) storey.walls[i].sigma_m = sigmas[i].sigma_m;
+    AssignSumSigmas(sigmas, storey);
   }
 }
 

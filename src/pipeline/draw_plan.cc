@@ -4,23 +4,50 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "enfilade/floorplan/openings.h"
+#include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/floorplan/wall_sigma.h"
 #include "enfilade/pipeline/gather_evidence.h"
 
 namespace enfilade {
+namespace {
+
+// What is found once there are rooms.
+void FinishFullPlan(const Scene& scene, const Structure& structure,
+                    const std::vector<EvidenceGrids>& evidence, const FloorplanOptions& options,
+                    RunContext& context, Floorplan& plan) {
+  const OpeningReport openings = FindOpenings(scene, options.openings, context, plan);
+  context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
+                                 openings.num_doors, openings.door_head_m, openings.num_openings,
+                                 openings.num_windows));
+  AssignSigmas(scene, structure, evidence, options, plan);
+}
+
+void TurnDial(const FloorplanOptions& options, RunContext& context, FloorplanReport& report) {
+  std::optional<Floorplan> plan =
+      PlanWithVertices(report.plan, options.vertices, options.openings.max_wall_m);
+  if (!plan) {
+    report.outcome = FloorplanOutcome::kNoSuchNumber;
+    report.reason = WhyNoSuchNumber(report.plan, options.vertices);
+    return;
+  }
+  report.plan = *std::move(plan);
+  context.log().Info(TellDial(*report.plan.dial));
+}
+
+}  // namespace
 
 FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
                          const std::vector<EvidenceGrids>& evidence,
                          const FloorplanOptions& options, RunContext& context) {
   FloorplanReport report = SolveFloorplan(scene, structure, evidence, options, context);
-  if (options.mode == FloorplanMode::kPaper || report.outcome != FloorplanOutcome::kFound)
-    return report;
-  const OpeningReport openings = FindOpenings(scene, options.openings, context, report.plan);
-  context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
-                                 openings.num_doors, openings.door_head_m, openings.num_openings,
-                                 openings.num_windows));
-  AssignSigmas(scene, structure, evidence, options, report.plan);
+  if (report.outcome != FloorplanOutcome::kFound) return report;
+  if (options.mode == FloorplanMode::kFull)
+    FinishFullPlan(scene, structure, evidence, options, context, report.plan);
+  if (options.vertices > 0) TurnDial(options, context, report);
   return report;
 }
 

@@ -134,13 +134,16 @@ StageResult RedrawWithVertices(const Workspace& workspace, int num_vertices, Run
   RequirePlan(workspace, manifest);
   const std::string where = workspace.floorplan_file().native();
   const Floorplan standing = ReadFloorplanJson(workspace.floorplan_file());
-  const std::optional<Floorplan> plan = PlanWithVertices(standing, num_vertices);
-  if (!plan) {
-    throw InvalidInputError(where, WhyNoSuchNumber(standing, num_vertices),
-                            "ask for that number, or make a plan with --floorplan.mode paper");
-  }
   PipelineOptions options = OptionsOf(manifest);
   options.floorplan.vertices = num_vertices;
+  const std::optional<Floorplan> plan =
+      PlanWithVertices(standing, num_vertices, options.floorplan.openings.max_wall_m);
+  if (!plan) {
+    throw InvalidInputError(where, WhyNoSuchNumber(standing, num_vertices),
+                            VertexNumbers(standing).empty() ? "run 'enfilade floorplan' again"
+                                                            : "ask for such a number");
+  }
+  context.log().Info(TellDial(*plan->dial));
   DescribeRun(context, manifest);
   const bool has_drawing = fs::exists(workspace.plan_svg_file());
   const size_t stage_idx = StageIndex("floorplan");

@@ -57,7 +57,7 @@ TEST_F(Paper, TheDialRedrawsThePlanWithoutSolving) {
   const fs::path output = Output();
   ProgramResult result = RunProgram({"floorplan", output, "--vertices", "4"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("no curve"));
+  EXPECT_THAT(result.err, HasSubstr("no curves"));
 
   MakePlan();
   const nlohmann::json curve = Room().at("curve");

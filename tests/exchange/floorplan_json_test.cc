@@ -11,6 +11,7 @@
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "enfilade/base/json.h"
+#include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/geometry/angles.h"
 #include "tests/support/temp_folder.h"
 
@@ -179,6 +180,113 @@ TEST_F(FloorplanJsonTest, RefusesBrokenCurves) {
               HasSubstr("direction"));
   EXPECT_THAT(refusal([](Json& curve) { curve[0]["cost_m"] = nullptr; }), HasSubstr("cost_m"));
   EXPECT_THAT(refusal([](Json& curve) { curve[1] = curve[0]; }), HasSubstr("does not ascend"));
+}
+
+// The dial stands elsewhere.
+Floorplan Dialled() {
+  Floorplan plan = WithCurve();
+  plan.drawn_storeys = plan.storeys;
+  plan.drawn_storeys[0].rooms[0].curve.clear();
+  plan.storeys[0].openings.clear();
+  plan.dial = {8, 1.5, 1.25, 2};
+  return plan;
+}
+
+TEST_F(FloorplanJsonTest, TheDialIsReadBack) {
+  WriteFloorplanJson(file, Dialled(), Json::object());
+  const std::string bytes = ReadFile(file);
+  const Floorplan read = ReadFloorplanJson(file);
+  ASSERT_TRUE(read.dial);
+  EXPECT_EQ(read.dial->num_vertices, 8);
+  EXPECT_EQ(read.dial->cost_m, 1.5);
+  EXPECT_EQ(read.dial->bound_m, 1.25);
+  EXPECT_EQ(read.dial->num_openings_dropped, 2);
+  ASSERT_EQ(read.drawn_storeys.size(), 1U);
+  EXPECT_EQ(read.drawn_storeys[0].openings.size(), 2U);
+  WriteFloorplanJson(file, read, Json::object());
+  EXPECT_EQ(ReadFile(file), bytes);
+  WriteFloorplanJson(file, TwoRooms(), Json::object());
+  EXPECT_FALSE(ReadJsonFile(file).contains("dial"));
+  EXPECT_FALSE(ReadJsonFile(file).contains("drawn_storeys"));
+}
+
+// Two rooms with a wall between them, none of their coordinates round; the first has an alcove with
+// a door, and may be without it.
+Floorplan WithAlcove() {
+  const double x = 1.0 / 3, wall = 10 + 1.0 / 7;
+  const auto at = [&](double left, double right, const std::string& text) {
+    Ring2 ring = ParseRing(text);
+    for (Eigen::Vector2d& p : ring) p.x() = p.x() == 0 ? left : p.x() == 10 ? right : p.x() * x;
+    return ring;
+  };
+  const OutlineChoice drawn{0,
+                            {at(x, wall, "0,0 10,0 10,3 8,3 8,3.3 4,3.3 4,3 0,3"), {}},
+                            std::vector<WallSeen>(8, WallSeen::kSeen),
+                            std::vector<double>(8, 0.02)};
+  const OutlineChoice simple{2.5,
+                             {at(x, wall, "0,0 10,0 10,3 0,3"), {}},
+                             std::vector<WallSeen>(4, WallSeen::kPartly),
+                             std::vector<double>(4, 0.02)};
+  const OutlineChoice other{0,
+                            {at(x, wall, "0,3.4123456789 10,3.4123456789 10,6 0,6"), {}},
+                            std::vector<WallSeen>(4, WallSeen::kSeen),
+                            std::vector<double>(4, 0.03)};
+  Floorplan plan;
+  Storey& storey = plan.storeys.emplace_back();
+  for (const int id : {0, 1}) {
+    Room& room = storey.rooms.emplace_back();
+    room.id = id;
+    room.ceiling_z = 2.4;
+  }
+  TakeOutline(drawn, 0.1 + x / 1000, storey.rooms[0], storey);
+  TakeOutline(other, 0.1, storey.rooms[1], storey);
+  storey.rooms[0].curve = {simple, drawn};
+  for (Wall& wall_face : storey.walls) wall_face.length_sigma_m = x / 10;
+  storey.walls[4].other_room_id = 1;
+  storey.openings.push_back({0, OpeningKind::kDoor, 4, {7.5 * x, 3.3}, {5.5 * x, 3.3}, 0, 2, 0, 1});
+  return plan;
+}
+
+TEST_F(FloorplanJsonTest, TheDialTurnsFromMemoryAsFromTheFile) {
+  const auto bytes_of = [&](const Floorplan& plan) {
+    WriteFloorplanJson(file, plan, Json::object());
+    return ReadFile(file);
+  };
+  const Floorplan plan = WithAlcove();
+  for (const int number : {4, 8}) {
+    const std::string from_memory = bytes_of(*PlanWithVertices(plan, number, 0.45));
+    (void)bytes_of(plan);
+    EXPECT_EQ(bytes_of(*PlanWithVertices(ReadFloorplanJson(file), number, 0.45)), from_memory);
+    // … and wherever the dial stood.
+    (void)bytes_of(*PlanWithVertices(plan, 12 - number, 0.45));
+    EXPECT_EQ(bytes_of(*PlanWithVertices(ReadFloorplanJson(file), number, 0.45)), from_memory);
+  }
+}
+
+TEST_F(FloorplanJsonTest, RefusesABrokenDial) {
+  const auto refusal = [&](const std::function<void(Json&)>& change) {
+    WriteFloorplanJson(file, Dialled(), Json::object());
+    Json json = ReadJsonFile(file);
+    change(json);
+    WriteJsonFile(file, json);
+    return Refusal();
+  };
+  EXPECT_EQ(refusal([](Json&) {}), "");
+  EXPECT_THAT(refusal([](Json& json) { json["dial"] = 4; }), HasSubstr("vertices"));
+  EXPECT_THAT(refusal([](Json& json) { json["dial"].erase("bound_m"); }), HasSubstr("bound_m"));
+  EXPECT_THAT(refusal([](Json& json) { json["drawn_storeys"] = 1; }), HasSubstr("drawn_storeys"));
+  EXPECT_THAT(refusal([](Json& json) {
+                const Json storey = json["drawn_storeys"][0];
+                json["drawn_storeys"].push_back(storey);
+              }),
+              HasSubstr("other rooms"));
+  EXPECT_THAT(refusal([](Json& json) { json["drawn_storeys"][0]["rooms"].erase(1); }),
+              HasSubstr("rooms"));
+  EXPECT_THAT(refusal([](Json& json) {
+                json["drawn_storeys"][0]["walls"] = Json::array();
+                json["drawn_storeys"][0]["openings"] = Json::array();
+              }),
+              HasSubstr("no walls"));
 }
 
 TEST_F(FloorplanJsonTest, HoldsTheKeysOfTheFormat) {

@@ -27,7 +27,7 @@ enum class FloorplanMode {
 /// How the outlines are drawn. All costs are in metres of unseen wall.
 struct FloorplanOptions {
   FloorplanMode mode = FloorplanMode::kFull;
-  int vertices = 0;  ///< corners of all outlines together; 0: as many as pay
+  int vertices = 0;  ///< corners of all rooms together, for DrawPlan; 0: as many as pay
 
   double turn_cost_m = 0.25;
   double margin_m = 2.5;

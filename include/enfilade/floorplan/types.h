@@ -20,7 +20,8 @@ enum class WallSeen { kSeen, kPartly, kInferred };
 
 /// One outline that a room may have: the best with its number of corners.
 struct OutlineChoice {
-  double cost_m = 0;  ///< of the outline without its corners, in metres of unseen wall
+  double cost_m = 0;  ///< without its corners, in metres of unseen wall; what it tells of depends
+                      ///< on the method that made the curve
   Polygon2 polygon;
   std::vector<WallSeen> seen;   ///< of every edge, in ring order
   std::vector<double> sigma_m;  ///< likewise, standard deviation of the offset
@@ -36,7 +37,7 @@ struct Room {
   double ceiling_z = 0;
   double area_sigma_m2 = 0;
   bool has_level_ceiling = true;  ///< else ceiling_z is the ceiling's mean height
-  /// The best outline for every number of corners, ascending; empty where the method knows one.
+  /// The best outline for every number of corners, ascending; empty where nobody made one.
   std::vector<OutlineChoice> curve = {};
 };
 
@@ -85,11 +86,22 @@ struct PlanCamera {
   Rigid3 world_from_cam;
 };
 
+/// How the dial for the number of corners stands.
+struct VertexDial {
+  int num_vertices = 0;  ///< of all rooms with a curve together
+  double cost_m = 0;     ///< of the outlines chosen, together
+  double bound_m = 0;    ///< no choice of outlines with so many corners costs less
+  int num_openings_dropped = 0;
+};
+
 /// The measured plan: lengths in metres, polygons in the home frame.
 struct Floorplan {
   Rigid3 home_from_world;
   std::vector<Storey> storeys;
   std::vector<PlanCamera> cameras;
+  std::optional<VertexDial> dial;  ///< where it was turned
+  /// The storeys as they were drawn, without curves; empty where `storeys` are as drawn.
+  std::vector<Storey> drawn_storeys = {};
 };
 
 }  // namespace enfilade

@@ -46,6 +46,10 @@ inline constexpr double kSharedVariance = 0.2;
     const EvidenceGrids& evidence, const Storey& storey,
     std::span<const std::vector<WallWitness>> witnesses, const FloorplanOptions& options);
 
+/// Sets Wall::length_sigma_m and Room::area_sigma_m2 from what is known of the walls' offsets: one
+/// entry of `sigmas` a wall, of which sigma_m and measured_m count.
+void AssignSumSigmas(const std::vector<WallSigma>& sigmas, Storey& storey);
+
 /// Sets what the plan says about its uncertainty: Wall::sigma_m, Wall::length_sigma_m and
 /// Room::area_sigma_m2. To be called once openings are found, since panoramas look through them.
 ///

@@ -13,7 +13,8 @@
 
 namespace enfilade {
 
-/// SolveFloorplan, then FindOpenings and AssignSigmas; in the paper's mode without these two.
+/// SolveFloorplan, then FindOpenings and AssignSigmas; in the paper's mode without these two. Where FloorplanOptions::vertices asks for it, PlanWithVertices; without such a plan
+/// the outcome is kNoSuchNumber.
 /// Throws what reading pictures throws.
 [[nodiscard]] FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
                                        const std::vector<EvidenceGrids>& evidence,
