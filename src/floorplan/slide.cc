@@ -33,6 +33,9 @@ struct Edge {
 Ring2& RingOf(Polygon2& polygon, size_t ring) {
   return ring == 0 ? polygon.outer : polygon.holes[ring - 1];
 }
+const Ring2& RingOf(const Polygon2& polygon, size_t ring) {
+  return ring == 0 ? polygon.outer : polygon.holes[ring - 1];
+}
 
 std::vector<Edge> MeasureEdges(const LoopField& field, double reach_m,
                                std::vector<Polygon2>& polygons) {
@@ -78,18 +81,6 @@ bool RingsTouch(const Ring2& a, const Ring2& b) {
   return false;
 }
 
-bool IsValid(Polygon2& polygon, size_t ring_idx) {
-  const Ring2& ring = RingOf(polygon, ring_idx);
-  if (!IsSimple(ring)) return false;
-  if (ring_idx > 0 && !Contains(polygon.outer, ring[0])) return false;
-  for (size_t k = 0; k <= polygon.holes.size(); ++k) {
-    if (k == ring_idx) continue;
-    const Ring2& other = RingOf(polygon, k);
-    if (RingsTouch(ring, other) || RingsTouch(other, ring)) return false;
-  }
-  return true;
-}
-
 /// Where an edge's end `v` comes to when the edge moves by `shift`, along its normal, and the
 /// neighbour that it shares the end with stays on its line; none where the two hardly part.
 std::optional<Vector2d> ShiftedEnd(const Vector2d& v, const Vector2d& neighbour,
@@ -124,7 +115,7 @@ bool MoveEdge(Polygon2& polygon, size_t ring_idx, size_t i, const Vector2d& shif
     return false;
   ring[i] = *new_i;
   ring[j] = *new_j;
-  if (IsValid(polygon, ring_idx)) return true;
+  if (IsValidRing(polygon, ring_idx)) return true;
   ring[i] = old_i;
   ring[j] = old_j;
   return false;
@@ -151,12 +142,24 @@ bool StraightenJog(const WallWeight& weight, Polygon2& polygon, size_t ring_idx,
   ring[moved] = *end;
   ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
   ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
-  if (IsSimple(ring) && IsValid(polygon, ring_idx)) return true;
+  if (IsSimple(ring) && IsValidRing(polygon, ring_idx)) return true;
   ring = old;
   return false;
 }
 
 }  // namespace
+
+bool IsValidRing(const Polygon2& polygon, size_t ring_idx) {
+  const Ring2& ring = RingOf(polygon, ring_idx);
+  if (!IsSimple(ring)) return false;
+  if (ring_idx > 0 && !Contains(polygon.outer, ring[0])) return false;
+  for (size_t k = 0; k <= polygon.holes.size(); ++k) {
+    if (k == ring_idx) continue;
+    const Ring2& other = RingOf(polygon, k);
+    if (RingsTouch(ring, other) || RingsTouch(other, ring)) return false;
+  }
+  return true;
+}
 
 double LengthOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return (b - a).norm(); }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -18,6 +19,10 @@ namespace enfilade {
 /// of edges moved.
 int SlideToEvidence(const LoopField& field, double reach_m, double min_jog_m,
                     std::vector<Polygon2>& polygons);
+
+/// True when a ring of the polygon (0: the outer one, then the holes) is simple and 5 cm away from
+/// the others, and a hole lies inside the outer ring.
+[[nodiscard]] bool IsValidRing(const Polygon2& polygon, size_t ring_idx);
 
 /// How surely a wall from a to b lies where it does.
 using WallWeight = std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b)>;

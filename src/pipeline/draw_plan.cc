@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "enfilade/floorplan/openings.h"
+#include "enfilade/floorplan/room_curves.h"
 #include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/floorplan/wall_sigma.h"
 #include "enfilade/pipeline/gather_evidence.h"
@@ -24,6 +25,7 @@ void FinishFullPlan(const Scene& scene, const Structure& structure,
                                  openings.num_doors, openings.door_head_m, openings.num_openings,
                                  openings.num_windows));
   AssignSigmas(scene, structure, evidence, options, plan);
+  FindRoomCurves(evidence, options, context, plan);
 }
 
 void TurnDial(const FloorplanOptions& options, RunContext& context, FloorplanReport& report) {

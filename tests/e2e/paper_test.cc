@@ -37,8 +37,8 @@ class Paper : public testing::Test {
   static fs::path Home() { return folder_->path() / "home"; }
   static fs::path Output() { return folder_->path() / "out"; }
 
-  static void MakePlan() {
-    const ProgramResult result = RunProgram({"floorplan", Output(), "--floorplan.mode", "paper"});
+  static void MakePlan(const std::string& mode = "paper") {
+    const ProgramResult result = RunProgram({"floorplan", Output(), "--floorplan.mode", mode});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     ASSERT_EQ(RunProgram({"model", Output()}).exit_code, 0);
     ASSERT_EQ(RunProgram({"export", Output()}).exit_code, 0);
@@ -55,36 +55,56 @@ TempFolder* Paper::folder_ = nullptr;
 
 TEST_F(Paper, TheDialRedrawsThePlanWithoutSolving) {
   const fs::path output = Output();
-  ProgramResult result = RunProgram({"floorplan", output, "--vertices", "4"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("no curves"));
-
-  MakePlan();
-  const nlohmann::json curve = Room().at("curve");
-  ASSERT_GE(curve.size(), 2u);
-  EXPECT_EQ(curve.at(0).at("vertices"), 4);
-  const std::string chosen = std::to_string(Room().at("polygon").size());
-  const std::string drawing = ReadFile(output / "plan.svg");
-  for (const size_t k : {size_t{0}, curve.size() - 1}) {
-    const std::string number = std::to_string(curve.at(k).at("vertices").get<int>());
-    SCOPED_TRACE(number);
-    result = RunProgram({"floorplan", output, "--vertices", number});
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(std::to_string(Room().at("polygon").size()), number);
-    EXPECT_EQ(Room().at("curve"), curve);
-    EXPECT_FALSE(fs::exists(output / "model.glb"));
-    EXPECT_EQ(ReadFile(output / "plan.svg") == drawing, number == chosen) << "drawn anew";
-    const std::string dialled = ReadFile(output / "floorplan.json");
-    ASSERT_EQ(RunProgram({"floorplan", output, "--floorplan.mode", "paper", "--vertices", number})
-                  .exit_code,
-              0);
-    EXPECT_TRUE(ReadFile(output / "floorplan.json") == dialled) << "solved again it is another";
-    ASSERT_EQ(RunProgram({"model", output}).exit_code, 0);
-    ASSERT_EQ(RunProgram({"export", output}).exit_code, 0);
+  for (const std::string mode : {"full", "paper"}) {
+    SCOPED_TRACE(mode);
+    MakePlan(mode);
+    const nlohmann::json curve = Room().at("curve");
+    ASSERT_GE(curve.size(), mode == "paper" ? 2u : 1u);  // the room is a rectangle
+    EXPECT_EQ(curve.at(0).at("vertices"), 4);
+    const std::string chosen = std::to_string(Room().at("polygon").size());
+    const std::string drawing = ReadFile(output / "plan.svg");
+    for (const size_t k : {size_t{0}, curve.size() - 1}) {
+      const std::string number = std::to_string(curve.at(k).at("vertices").get<int>());
+      SCOPED_TRACE(number);
+      ProgramResult result = RunProgram({"floorplan", output, "--vertices", number});
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_THAT(result.err, HasSubstr(number + " corners cost"));
+      EXPECT_EQ(std::to_string(Room().at("polygon").size()), number);
+      EXPECT_EQ(Room().at("curve"), curve);
+      EXPECT_FALSE(fs::exists(output / "model.glb"));
+      EXPECT_EQ(ReadFile(output / "plan.svg") == drawing, number == chosen) << "drawn anew";
+      const std::string dialled = ReadFile(output / "floorplan.json");
+      ASSERT_EQ(RunProgram({"floorplan", output, "--floorplan.mode", mode, "--vertices", number})
+                    .exit_code,
+                0);
+      EXPECT_TRUE(ReadFile(output / "floorplan.json") == dialled) << "solved again it is another";
+      ASSERT_EQ(RunProgram({"model", output}).exit_code, 0);
+      ASSERT_EQ(RunProgram({"export", output}).exit_code, 0);
+    }
+    const ProgramResult result = RunProgram({"floorplan", output, "--vertices", "999"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("the nearest has"));
   }
-  result = RunProgram({"floorplan", output, "--vertices", "999"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("the nearest has"));
+}
+
+TEST_F(Paper, TheDialBlamesAPlanThatItCannotTurn) {
+  const fs::path plan = Output() / "floorplan.json";
+  const auto refusal = [&](const std::string& number) {
+    const ProgramResult result = RunProgram({"floorplan", Output(), "--vertices", number});
+    EXPECT_NE(result.exit_code, 0);
+    return result.err;
+  };
+  EXPECT_THAT(refusal("3"), HasSubstr("--vertices"));
+  EXPECT_THAT(refusal("-8"), HasSubstr("--vertices"));
+  EXPECT_THAT(refusal("99999999999999999999"), HasSubstr("--vertices"));
+  EXPECT_THAT(refusal("1000000"), HasSubstr("nearest"));
+  const std::string whole = ReadFile(plan);
+  nlohmann::json json = nlohmann::json::parse(whole);
+  json["storeys"][0]["rooms"][0].erase("curve");
+  WriteJsonFile(plan, json);
+  EXPECT_THAT(refusal("4"), HasSubstr("no curves"));
+  WriteFileAtomic(plan, whole.substr(0, whole.size() / 2));
+  EXPECT_THAT(refusal("4"), HasSubstr("no valid JSON"));
 }
 
 TEST_F(Paper, ThePageExplainsThePlanThatStands) {

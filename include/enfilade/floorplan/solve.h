@@ -96,8 +96,8 @@ struct FloorplanReport {
 /// `evidence` has one entry a storey of `structure`, in log-odds or, for the paper, raw counts.
 /// Guarantees: rings are simple, orientations
 /// those of Polygon2, rooms of a storey are disjoint, walls are the edges of the rooms in ring
-/// order with the room on their left; no openings (FindOpenings), no σ (AssignSigmas). A storey
-/// without core has no rooms.
+/// order with the room on their left; no openings (FindOpenings), σ (AssignSigmas) or curves
+/// (FindRoomCurves). A storey without core has no rooms.
 ///
 /// After Cabral & Furukawa, "Piecewise Planar and Compact Floorplan Reconstruction from Images"
 /// (CVPR 2014); what differs is in docs/algorithms/floorplan.md.

@@ -13,7 +13,8 @@
 
 namespace enfilade {
 
-/// SolveFloorplan, then FindOpenings and AssignSigmas; in the paper's mode without these two. Where FloorplanOptions::vertices asks for it, PlanWithVertices; without such a plan
+/// SolveFloorplan, then FindOpenings, AssignSigmas and FindRoomCurves; in the paper's mode without
+/// these three. Where FloorplanOptions::vertices asks for it, PlanWithVertices; without such a plan
 /// the outcome is kNoSuchNumber.
 /// Throws what reading pictures throws.
 [[nodiscard]] FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
