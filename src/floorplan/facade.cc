@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "enfilade/image/sampling.h"
+#include "enfilade/scene/panorama_rays.h"
 
 namespace enfilade {
 namespace {
@@ -46,18 +48,52 @@ ImageF Smoothed(const ImageF& image) {
   return both;
 }
 
-// Grey value of the point, negative where the picture does not show it.
-float Look(const FacadeView& view, const Rigid3& cam_from_home, const Vector3d& point) {
-  const std::optional<Vector2d> pixel = view.camera.PixelFromRay(cam_from_home * point);
-  if (!pixel) return -1;
-  if (!view.mask.empty() &&
-      view.mask(std::clamp(static_cast<int>(pixel->y()), 0, view.mask.rows() - 1),
-                std::clamp(static_cast<int>(pixel->x()), 0, view.mask.cols() - 1)) == 0) {
-    return -1;
+bool IsMasked(const FacadeView& view, double x, double y) {
+  return !view.mask.empty() &&
+         view.mask(std::clamp(static_cast<int>(y), 0, view.mask.rows() - 1),
+                   std::clamp(static_cast<int>(x), 0, view.mask.cols() - 1)) == 0;
+}
+
+// Grey values of points from + i · step in the camera's frame, negative where the picture does not
+// show them.
+void LookAlong(const FacadeView& view, const Vector3d& from, const Vector3d& step,
+               std::span<float> gray) {
+  if (view.camera.model == CameraModel::kEquirectangular) {
+    std::vector<float> u(gray.size()), v(gray.size());
+    LocateRays(from, step, view.camera.width, view.camera.height, u, v);
+    for (size_t i = 0; i < gray.size(); ++i) {
+      const double x = double{u[i]} + 0.5, y = double{v[i]} + 0.5;
+      gray[i] = IsMasked(view, x, y) ? -1 : SampleBilinearWrapped(view.gray, x, y);
+    }
+    return;
   }
-  return view.camera.model == CameraModel::kEquirectangular
-             ? SampleBilinearWrapped(view.gray, pixel->x(), pixel->y())
-             : SampleBilinear(view.gray, pixel->x(), pixel->y());
+  for (size_t i = 0; i < gray.size(); ++i) {
+    const std::optional<Vector2d> pixel =
+        view.camera.PixelFromRay(from + static_cast<double>(i) * step);
+    gray[i] = pixel && !IsMasked(view, pixel->x(), pixel->y())
+                  ? SampleBilinear(view.gray, pixel->x(), pixel->y())
+                  : -1;
+  }
+}
+
+// Whether all values up to kReach cells away along the row, and along the column, are known.
+ImageU8 WholeCells(const ImageF& gray) {
+  constexpr uint8_t kLength = 2 * kReach + 1;
+  ImageU8 whole(gray.rows(), gray.cols());
+  std::vector<uint8_t> up(static_cast<size_t>(gray.cols()), 0);  // known cells in a row, so far
+  for (int r = 0; r < gray.rows(); ++r) {
+    uint8_t along = 0;
+    for (int c = 0; c < gray.cols(); ++c) {
+      const auto next = [&](uint8_t count) {
+        return gray(r, c) >= 0 ? std::min<uint8_t>(count + 1, kLength) : uint8_t{0};
+      };
+      along = next(along);
+      up[static_cast<size_t>(c)] = next(up[static_cast<size_t>(c)]);
+      if (along == kLength) whole(r, c - kReach) = 1;
+      if (up[static_cast<size_t>(c)] == kLength) whole(r - kReach, c) |= 2;
+    }
+  }
+  return whole;
 }
 
 }  // namespace
@@ -96,23 +132,30 @@ void Facade::Add(const FacadeView& view, const Polygon2& room) {
   const auto is_seen = [](float weight) { return weight > 0; };
   if (std::none_of(weights.begin(), weights.end(), is_seen)) return;
   ++num_views_;
+  const auto first = std::find_if(weights.begin(), weights.end(), is_seen) - weights.begin();
+  const auto last = weights.rend() - std::find_if(weights.rbegin(), weights.rend(), is_seen);
   const Rigid3 cam_from_home = view.home_from_cam.Inverse();
+  Vector3d step;
+  step << step_m_ * along_, 0;
   ImageF gray(rows(), cols(), 1, -1.0F);
   for (int r = 0; r < rows(); ++r) {
-    for (int c = 0; c < cols(); ++c) {
-      if (!is_seen(weights[static_cast<size_t>(c)])) continue;
-      Vector3d point;
-      point << PlanPoint(c), floor_z_ + (r + 0.5) * step_m_;
-      gray(r, c) = Look(view, cam_from_home, point);
+    Vector3d from;
+    from << PlanPoint(static_cast<int>(first)), floor_z_ + (r + 0.5) * step_m_;
+    LookAlong(view, cam_from_home * from, cam_from_home.rotation * step,
+              {gray.row(r) + first, gray.row(r) + last});
+    for (auto c = first; c < last; ++c) {
+      if (!is_seen(weights[static_cast<size_t>(c)])) gray.row(r)[c] = -1;
     }
   }
+  AddSmoothed(gray, weights);
+}
+
+void Facade::AddSmoothed(const ImageF& gray, const std::vector<float>& weights) {
   const ImageF smooth = Smoothed(gray);
+  const ImageU8 whole = WholeCells(gray);
   for (int r = kReach; r + kReach < rows(); ++r) {
     for (int c = kReach; c + kReach < cols(); ++c) {
-      bool is_whole = true;
-      for (int k = -kReach; k <= kReach; ++k)
-        is_whole = is_whole && gray(r + k, c) >= 0 && gray(r, c + k) >= 0;
-      if (!is_whole) continue;
+      if (whole(r, c) != 3) continue;
       const float weight = weights[static_cast<size_t>(c)];
       upright_(r, c) += weight * Saturated(0.5F * (smooth(r, c + 1) - smooth(r, c - 1)));
       level_(r, c) += weight * Saturated(0.5F * (smooth(r + 1, c) - smooth(r - 1, c)));
@@ -130,6 +173,7 @@ void Facade::Finish() {
     level_.data()[i] *= scale;
     brightness_.data()[i] *= scale;
   }
+  weight_ = {};
 }
 
 }  // namespace enfilade

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 #include "enfilade/geometry/polygon2.h"
 #include "enfilade/geometry/rigid3.h"
@@ -41,6 +43,11 @@ class Facade {
   [[nodiscard]] int cols() const { return upright_.cols(); }
   [[nodiscard]] double step_m() const { return step_m_; }
   [[nodiscard]] int num_views() const { return num_views_; }
+  /// Of memory.
+  [[nodiscard]] size_t NumBytes() const {
+    return sizeof(float) * (upright_.data().size() + level_.data().size() +
+                            brightness_.data().size() + weight_.data().size());
+  }
   /// Change of brightness along the wall, −1…1; after Finish.
   [[nodiscard]] const ImageF& upright() const { return upright_; }
   /// Change of brightness with height, −1…1; after Finish.
@@ -51,6 +58,7 @@ class Facade {
  private:
   [[nodiscard]] std::vector<float> ColumnWeights(const Eigen::Vector2d& camera,
                                                  const Polygon2& room) const;
+  void AddSmoothed(const ImageF& gray, const std::vector<float>& weights);
   [[nodiscard]] Eigen::Vector2d PlanPoint(int col) const {
     return a_ + (col + 0.5) * step_m_ * along_;
   }

@@ -31,7 +31,7 @@ template <typename T>
                                           int channel = 0) {
   const double width = image.cols();
   double u = x - 0.5;
-  u -= width * std::floor(u / width);
+  if (u < 0 || u >= width) u -= width * std::floor(u / width);
   const double v = std::clamp(y - 0.5, 0.0, image.rows() - 1.0);
   const int c0 = std::min(static_cast<int>(u), image.cols() - 1), r0 = static_cast<int>(v);
   const int c1 = c0 + 1 < image.cols() ? c0 + 1 : 0, r1 = std::min(r0 + 1, image.rows() - 1);
