@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "src/floorplan/facade_store.h"
 #include "src/floorplan/pictured_wall.h"
 
 namespace enfilade {
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kMinWall_m = 0.55;
 constexpr double kBesideDoor_m = 0.12;
 constexpr double kMinJoined_m2 = 4;  // of rooms that an opening joins
 
@@ -100,7 +100,7 @@ void OpeningOptions::Visit(OptionVisitor& v) {
 }
 
 OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
-                           Floorplan& plan) {
+                           Floorplan& plan, FacadeStore* facades) {
   OpeningReport report;
   std::vector<PicturedWall> walls;
   std::vector<size_t> wall_idx;  // in its storey, of every pictured wall
@@ -109,7 +109,7 @@ OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, Ru
     const Storey& storey = plan.storeys[s];
     for (size_t w = 0; w < storey.walls.size(); ++w) {
       const Wall& wall = storey.walls[w];
-      if ((wall.b - wall.a).norm() < kMinWall_m) continue;
+      if ((wall.b - wall.a).norm() < kMinPicturedWall_m) continue;
       const Room& room = RoomOf(storey, wall.room_id);
       wall_idx.push_back(w);
       room_of_wall.push_back(room.id);
@@ -117,7 +117,8 @@ OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, Ru
                          room.ceiling_z, options.step_m);
     }
   }
-  LookAtWalls(scene, plan.home_from_world, context, walls);
+  FacadeStore none(context);
+  LookAtWalls(scene, plan.home_from_world, facades != nullptr ? *facades : none, context, walls);
   const std::optional<double> head_m = FindFrames(context, walls);
   report.door_head_m = head_m.value_or(0);
   for (size_t s = 0; s < plan.storeys.size(); ++s) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "enfilade/image/codec.h"
+#include "src/floorplan/facade_store.h"
 #include "src/floorplan/window_frames.h"
 
 namespace enfilade {
@@ -23,6 +24,39 @@ constexpr float kMaxBaseboard = 0.45F;  // across an opening
 FacadeView ReadView(const View& view, const Rigid3& home_from_world) {
   return {view.camera, home_from_world * view.world_from_cam, ReadImageGray(view.path),
           view.mask_path.empty() ? ImageU8() : ReadImageGray(view.mask_path)};
+}
+
+// A view with a picture, and the rooms that it stands in.
+struct Audience {
+  const View* view = nullptr;
+  std::vector<const Polygon2*> rooms;
+
+  [[nodiscard]] bool Sees(const PicturedWall& wall) const {
+    return view->storey_idx == wall.storey_idx &&
+           std::find(rooms.begin(), rooms.end(), wall.room) != rooms.end();
+  }
+};
+
+// The views that stand in a room of the walls.
+std::vector<Audience> AudiencesOf(const Scene& scene, const Rigid3& home_from_world,
+                                  const std::vector<PicturedWall*>& walls) {
+  std::vector<std::pair<int, const Polygon2*>> rooms;  // walls of a room follow each other
+  for (const PicturedWall* wall : walls) {
+    const std::pair room(wall->storey_idx, wall->room);
+    if (rooms.empty() || rooms.back() != room) rooms.push_back(room);
+  }
+  std::vector<Audience> audiences;
+  for (const View& view : scene.views) {
+    if (view.path.empty()) continue;
+    const Vector2d position = (home_from_world * view.world_from_cam.translation).head<2>();
+    Audience audience{&view, {}};
+    for (const auto& [storey_idx, room] : rooms) {
+      if (view.storey_idx == storey_idx && Contains(*room, position))
+        audience.rooms.push_back(room);
+    }
+    if (!audience.rooms.empty()) audiences.push_back(std::move(audience));
+  }
+  return audiences;
 }
 
 double DistanceToCamera(const std::vector<Vector2d>& cameras, const Vector2d& p) {
@@ -80,30 +114,29 @@ std::vector<DoorCandidate> JoinSides(const std::vector<DoorCandidate>& doors, do
 
 }  // namespace
 
-void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, RunContext& context,
-                 std::vector<PicturedWall>& walls) {
-  const auto batch = static_cast<size_t>(std::max(1, context.num_threads()));
-  std::vector<const View*> pictured;
-  for (const View& view : scene.views) {
-    if (!view.path.empty()) pictured.push_back(&view);
+void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, FacadeStore& store,
+                 RunContext& context, std::vector<PicturedWall>& walls) {
+  std::vector<PicturedWall*> unseen;
+  for (PicturedWall& wall : walls) {
+    if (!store.Take(wall)) unseen.push_back(&wall);
   }
-  for (size_t first = 0; first < pictured.size(); first += batch) {
-    const size_t count = std::min(batch, pictured.size() - first);
+  const std::vector<Audience> audiences = AudiencesOf(scene, home_from_world, unseen);
+  const auto batch = static_cast<size_t>(std::max(1, context.num_threads()));
+  for (size_t first = 0; first < audiences.size(); first += batch) {
+    const size_t count = std::min(batch, audiences.size() - first);
     std::vector<FacadeView> views(count);
     ParallelFor(context, "", static_cast<int64_t>(count), [&](int64_t i) {
       const auto k = static_cast<size_t>(i);
-      views[k] = ReadView(*pictured[first + k], home_from_world);
+      views[k] = ReadView(*audiences[first + k].view, home_from_world);
     });
-    ParallelFor(context, "", static_cast<int64_t>(walls.size()), [&](int64_t i) {
-      PicturedWall& wall = walls[static_cast<size_t>(i)];
+    ParallelFor(context, "", static_cast<int64_t>(unseen.size()), [&](int64_t i) {
+      PicturedWall& wall = *unseen[static_cast<size_t>(i)];
       for (size_t k = 0; k < count; ++k) {
-        const Vector2d position = views[k].home_from_cam.translation.head<2>();
-        if (pictured[first + k]->storey_idx == wall.storey_idx && Contains(*wall.room, position))
-          wall.facade.Add(views[k], *wall.room);
+        if (audiences[first + k].Sees(wall)) wall.facade.Add(views[k], *wall.room);
       }
     });
   }
-  for (PicturedWall& wall : walls) wall.facade.Finish();
+  for (PicturedWall* wall : unseen) wall->facade.Finish();
 }
 
 std::optional<double> FindFrames(RunContext& context, std::vector<PicturedWall>& walls) {

@@ -18,24 +18,33 @@ namespace enfilade {
 /// A wall of a room, or where one may be, with what pictures show of it.
 struct PicturedWall {
   PicturedWall(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int storey,
-               const Polygon2& in_room, double floor_z, double ceiling_z, double step_m)
+               const Polygon2& in_room, double floor, double ceiling, double step_m)
       : a(from),
         b(to),
         storey_idx(storey),
         room(&in_room),
-        facade(from, to, floor_z, ceiling_z, step_m) {}
+        floor_z(floor),
+        ceiling_z(ceiling),
+        facade(from, to, floor, ceiling, step_m) {}
 
   Eigen::Vector2d a, b;  ///< the room on the left
   int storey_idx = 0;
   const Polygon2* room = nullptr;  ///< not owned
+  double floor_z = 0, ceiling_z = 0;
   Facade facade;
   std::vector<DoorFrame> frames;
 };
 
-/// Shows every wall to the views that stand in its room. Pictures are read as many at a time as
-/// there are threads, and added in their order; views without a path are passed over.
-void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, RunContext& context,
-                 std::vector<PicturedWall>& walls);
+class FacadeStore;
+
+/// Shorter walls show no door and no opening.
+inline constexpr double kMinPicturedWall_m = 0.55;
+
+/// Shows every wall to the views that stand in its room, but those that `store` has a facade of:
+/// they take it. Pictures are read as many at a time as there are threads, and added in their
+/// order; views without a path, or in no such room, are passed over.
+void LookAtWalls(const Scene& scene, const Rigid3& home_from_world, FacadeStore& store,
+                 RunContext& context, std::vector<PicturedWall>& walls);
 
 /// Finds the door frames of all walls, preferring those with the home's usual head, whose height is
 /// returned; none when no wall shows a frame.

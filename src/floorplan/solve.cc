@@ -11,6 +11,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/cells.h"
 #include "enfilade/geometry/boolean.h"
+#include "src/floorplan/facade_store.h"
 #include "src/floorplan/join_rooms.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
@@ -90,7 +91,7 @@ class Solver {
     const MultiPolygon2 gaps = FindUnseenWalls(field, options_.slide_m, num_entered, polygons);
     std::vector<Polygon2> parts =
         SplitRoomsAtDoors(scene_, report_.plan.home_from_world, field, storey, storey.id,
-                          options_.wall_thickness_m, options_.openings, context_);
+                          options_.wall_thickness_m, options_.openings, *report_.facades, context_);
     const bool is_cut = parts.size() != polygons.size();
     const int num_joined = JoinAcross(gaps, parts);
     report_.num_joined += num_joined;
@@ -215,6 +216,7 @@ FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
   FloorplanReport report;
   report.plan.home_from_world = structure.home_from_world;
   report.plan.cameras = PlanCameras(scene);
+  report.facades = std::make_shared<FacadeStore>(context);
   Solver solver(scene, options, context, report);
   for (size_t i = 0; i < evidence.size(); ++i) {
     solver.AddStorey(evidence[i], structure.storeys[i],

@@ -9,8 +9,8 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "enfilade/image/sampling.h"
+#include "src/floorplan/facade_store.h"
 #include "src/floorplan/largest_part.h"
-#include "src/floorplan/pictured_wall.h"
 
 namespace enfilade {
 namespace {
@@ -214,13 +214,14 @@ class RoomSplitter {
  public:
   RoomSplitter(const Scene& scene, const Rigid3& home_from_world, const LoopField& field,
                int storey_idx, double wall_thickness_m, const OpeningOptions& options,
-               RunContext& context)
+               FacadeStore& facades, RunContext& context)
       : scene_(scene),
         home_from_world_(home_from_world),
         field_(field),
         storey_idx_(storey_idx),
         wall_thickness_m_(wall_thickness_m),
         options_(options),
+        facades_(facades),
         context_(context),
         cameras_(CamerasInPlan(scene, home_from_world, storey_idx)) {}
 
@@ -262,18 +263,23 @@ class RoomSplitter {
       const Ring2& ring = part.polygon.outer;
       for (size_t i = 0; i < ring.size(); ++i) {
         const Vector2d& next = ring[(i + 1) % ring.size()];
-        if ((next - ring[i]).norm() > kMinCut_m) add(ring[i], next, part);
+        if ((next - ring[i]).norm() >= kMinPicturedWall_m) add(ring[i], next, part);
       }
     }
-    LookAtWalls(scene_, home_from_world_, context_, walls);
-    const std::optional<double> head_m = FindFrames(context_, walls);
-    if (!head_m) return;
+    LookAtWalls(scene_, home_from_world_, facades_, context_, walls);
+    if (const std::optional<double> head_m = FindFrames(context_, walls))
+      RateCuts(walls, *head_m, cuts);
+    for (size_t i = 2 * cuts.size(); i < walls.size(); ++i) facades_.Keep(std::move(walls[i]));
+  }
+
+  void RateCuts(const std::vector<PicturedWall>& walls, double head_m,
+                std::vector<Cut>& cuts) const {
     for (const DoorCandidate& door :
-         FindDoors(walls, storey_idx_, cameras_, *head_m, wall_thickness_m_)) {
+         FindDoors(walls, storey_idx_, cameras_, head_m, wall_thickness_m_)) {
       if (door.wall / 2 >= cuts.size()) continue;
       Cut& cut = cuts[door.wall / 2];
       // Cameras stand everywhere in a room: that one is near says nothing of a wall.
-      cut.log_odds = std::max(cut.log_odds, DoorLogOdds(door.frame, *head_m, std::nullopt));
+      cut.log_odds = std::max(cut.log_odds, DoorLogOdds(door.frame, head_m, std::nullopt));
       if (door.log_odds >= options_.min_door_log_odds)
         cut.doors.push_back(std::minmax(door.a[cut.axis], door.b[cut.axis]));
     }
@@ -300,6 +306,7 @@ class RoomSplitter {
   int storey_idx_;
   double wall_thickness_m_;
   const OpeningOptions& options_;
+  FacadeStore& facades_;
   RunContext& context_;
   std::vector<Vector2d> cameras_;
 };
@@ -309,13 +316,16 @@ class RoomSplitter {
 std::vector<Polygon2> SplitRoomsAtDoors(const Scene& scene, const Rigid3& home_from_world,
                                         const LoopField& field, const Storey& storey,
                                         int storey_idx, double wall_thickness_m,
-                                        const OpeningOptions& options, RunContext& context) {
+                                        const OpeningOptions& options, FacadeStore& facades,
+                                        RunContext& context) {
   std::vector<RoomPart> parts;
   for (const Room& room : storey.rooms)
     parts.push_back({room.polygon, room.floor_z, room.ceiling_z, true});
   const RoomSplitter splitter(scene, home_from_world, field, storey_idx, wall_thickness_m, options,
-                              context);
-  while (splitter.SplitOnce(parts)) {
+                              facades, context);
+  const bool has_pictures = std::any_of(scene.views.begin(), scene.views.end(),
+                                        [&](const View& view) { return !view.path.empty(); });
+  while (has_pictures && splitter.SplitOnce(parts)) {
   }
   std::vector<Polygon2> polygons;
   for (const RoomPart& part : parts) polygons.push_back(part.polygon);

@@ -204,7 +204,7 @@ std::vector<WallSigma> FindWallSigmas(const EvidenceGrids& evidence, const Store
                                       std::span<const std::vector<WallWitness>> witnesses,
                                       const FloorplanOptions& options) {
   ENFILADE_CHECK(witnesses.size() == storey.walls.size());
-  const LoopField field = MakeLoopField(evidence, options);
+  const LoopField field = NormaliseEvidence(evidence, options);
   std::vector<WallSigma> sigmas(storey.walls.size());
   for (size_t i = 0; i < sigmas.size(); ++i) {
     const Wall& wall = storey.walls[i];

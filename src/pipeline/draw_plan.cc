@@ -19,8 +19,11 @@ namespace {
 // What is found once there are rooms.
 void FinishFullPlan(const Scene& scene, const Structure& structure,
                     const std::vector<EvidenceGrids>& evidence, const FloorplanOptions& options,
-                    RunContext& context, Floorplan& plan) {
-  const OpeningReport openings = FindOpenings(scene, options.openings, context, plan);
+                    RunContext& context, FloorplanReport& report) {
+  Floorplan& plan = report.plan;
+  const OpeningReport openings =
+      FindOpenings(scene, options.openings, context, plan, report.facades.get());
+  report.facades.reset();
   context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
                                  openings.num_doors, openings.door_head_m, openings.num_openings,
                                  openings.num_windows));
@@ -48,7 +51,7 @@ FloorplanReport DrawPlan(const Scene& scene, const Structure& structure,
   FloorplanReport report = SolveFloorplan(scene, structure, evidence, options, context);
   if (report.outcome != FloorplanOutcome::kFound) return report;
   if (options.mode == FloorplanMode::kFull)
-    FinishFullPlan(scene, structure, evidence, options, context, report.plan);
+    FinishFullPlan(scene, structure, evidence, options, context, report);
   if (options.vertices > 0) TurnDial(options, context, report);
   return report;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "enfilade/floorplan/joined_rooms.h"
+#include "src/floorplan/facade_store.h"
 #include "src/floorplan/split_rooms.h"
 #include "tests/floorplan/drawn_evidence.h"
 #include "tests/floorplan/painted_home.h"
@@ -209,9 +210,10 @@ class SplitRoomsTest : public OpeningsTest {
       }
     }
     RunContext context(2);
+    FacadeStore facades(context);
     return SplitRoomsAtDoors(Shoot(quads, {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}, {6, 1.4, 1.5}}),
                              Rigid3(), MakeLoopField(grids, {}), StoreyOf({room}), 0, 0.12, {},
-                             context);
+                             facades, context);
   }
 };
 

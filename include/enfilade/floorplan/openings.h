@@ -20,6 +20,9 @@ struct OpeningOptions {
   void Visit(OptionVisitor& v);
 };
 
+/// What pictures show of walls.
+class FacadeStore;
+
 struct OpeningReport {
   int num_doors = 0;
   int num_openings = 0;  ///< wide ones without a door
@@ -37,10 +40,11 @@ struct OpeningReport {
 /// either side. A window is a bright rectangle in a wall without a room behind. What is seen from
 /// both sides of a wall is one.
 ///
-/// The pictures' files are read (view.path), a few at a time. Guarantees: openings lie on their
-/// wall, do not overlap on it, and have ids 0, 1, … in each storey. Throws what reading pictures
-/// throws. Cost: O(area of the walls × views in their rooms).
+/// The pictures' files are read (view.path), a few at a time, but not for walls whose facades
+/// SolveFloorplan left in `facades` (FloorplanReport::facades); they are taken out of it.
+/// Guarantees: openings lie on their wall, do not overlap on it, and have ids 0, 1, … in each
+/// storey. Throws what reading pictures throws. Cost: O(area of the walls × views in their rooms).
 OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
-                           Floorplan& plan);
+                           Floorplan& plan, FacadeStore* facades = nullptr);
 
 }  // namespace enfilade

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,8 @@ struct FloorplanReport {
   int64_t num_settled = 0;         ///< states that the loop solver visited
   Floorplan plan;                  ///< empty storeys where nothing was found
   std::vector<PaperStorey> paper;  ///< FloorplanMode::kPaper: how the plan came about, by storey
+  /// What the pictures showed of the walls, for FindOpenings; none where none was looked at.
+  std::shared_ptr<FacadeStore> facades;
 };
 
 /// Draws the rooms of every storey: for each core component the cheapest Manhattan loop round it.
