@@ -167,7 +167,7 @@ float LargestAbout(const ImageF& values, int row, int col) {
   return largest;
 }
 
-void PaintCore(cairo_t* cr, const GridFrame& frame, const ImageU8& core) {
+void PaintCore(cairo_t* cr, const GridFrame& frame, const CoreImage& core) {
   PaintCells(cr, frame, [&](int row, int col) { return core(row, col) != 0 ? &kCore : nullptr; });
 }
 
@@ -256,7 +256,7 @@ std::vector<Panel> PanelsOf(const ExplainInput& input, size_t storey_idx) {
   const EvidenceGrids& evidence = input.evidence[storey_idx];
   const Storey& storey = input.floorplan.storeys[storey_idx];
   const bool is_paper = !input.paper.empty();
-  const ImageU8& core = is_paper ? input.paper[storey_idx].core : evidence.core;
+  const CoreImage& core = is_paper ? input.paper[storey_idx].core : evidence.core;
   std::vector<Panel> panels;
   panels.push_back(LevelPanel("Wall evidence", evidence.frame, evidence.wall, true));
   panels.push_back(LevelPanel("Free-space evidence", evidence.frame, evidence.free, false));

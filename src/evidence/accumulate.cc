@@ -97,7 +97,7 @@ EvidenceGrids EmptyGrids(const GridFrame& frame, EvidenceMode mode) {
   grids.wall = ImageF(frame.rows, frame.cols);
   grids.free = ImageF(frame.rows, frame.cols);
   grids.support = ImageU8(frame.rows, frame.cols);
-  grids.core = ImageU8(frame.rows, frame.cols);
+  grids.core = CoreImage(frame.rows, frame.cols);
   return grids;
 }
 

@@ -16,7 +16,7 @@
 namespace enfilade {
 namespace {
 
-constexpr int kMaxCores = 255;
+constexpr int kMaxCores = 65535;
 
 struct Thresholds {
   float min_free;
@@ -236,9 +236,9 @@ void NumberCores(const EvidenceGrids& grids, double snap_m, ImageI& region, Core
   for (size_t i = 0; i < mask.data().size(); ++i) mask.data()[i] = region.data()[i] != 0;
   region = LabelComponents(mask, Connectivity::kFour).label;
   report.num_cores = KeepRegionsWithCamera(grids, snap_m, region);
-  report.core = ImageU8(region.rows(), region.cols());
+  report.core = CoreImage(region.rows(), region.cols());
   for (size_t i = 0; i < region.data().size(); ++i) {
-    report.core.data()[i] = static_cast<uint8_t>(region.data()[i]);
+    report.core.data()[i] = static_cast<uint16_t>(region.data()[i]);
   }
   const std::vector<int> labels = LabelsAtCameras(region, grids, snap_m);
   for (size_t i = 0; i < labels.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "enfilade/floorplan/cells.h"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -48,17 +49,20 @@ ImageU8 CellsInside(int rows, int cols, const std::vector<GridVertex>& ring) {
   return inside;
 }
 
-std::vector<CellSet> ConnectedCells(const ImageU8& cells) {
-  ImageU8 is_new = cells;
+template <typename T>
+std::vector<CellSet> ConnectedCells(const Image<T>& cells) {
+  Image<T> is_new = cells;
   std::vector<CellSet> sets;
   std::vector<int> stack;
   for (int first = 0; first < static_cast<int>(cells.data().size()); ++first) {
-    if (is_new.data()[static_cast<size_t>(first)] == 0) continue;
+    const T value = is_new.data()[static_cast<size_t>(first)];
+    if (value == 0) continue;
     CellSet set;
     const auto take = [&](int cell) {
-      uint8_t& flag = is_new.data()[static_cast<size_t>(cell)];
-      if (flag != 0) stack.push_back(cell);
-      flag = 0;
+      T& left = is_new.data()[static_cast<size_t>(cell)];
+      if (left != value) return;
+      stack.push_back(cell);
+      left = 0;
     };
     take(first);
     while (!stack.empty()) {
@@ -73,31 +77,37 @@ std::vector<CellSet> ConnectedCells(const ImageU8& cells) {
   return sets;
 }
 
-CellWays FindCellWays(const ImageF& cell_cost, const ImageI& source) {
+template std::vector<CellSet> ConnectedCells(const Image<uint8_t>&);
+template std::vector<CellSet> ConnectedCells(const Image<uint16_t>&);
+
+CellWays FindCellWays(const ImageF& cell_cost, ImageI source) {
   const int rows = cell_cost.rows(), cols = cell_cost.cols();
   ENFILADE_CHECK(source.rows() == rows && source.cols() == cols);
-  CellWays ways{ImageF(rows, cols, 1, std::numeric_limits<float>::infinity()),
-                ImageI(rows, cols, 1, -1), ImageI(rows, cols, 1, -1)};
-  using Item = std::pair<float, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  for (size_t i = 0; i < source.data().size(); ++i) {
-    if (source.data()[i] < 0) continue;
+  CellWays ways{ImageF(rows, cols, 1, std::numeric_limits<float>::infinity()), std::move(source),
+                ImageI(rows, cols, 1, -1)};
+  // Costs are not negative, so their bits have their order: by cost, then by cell.
+  const auto item = [](float cost, int cell) {
+    return uint64_t{std::bit_cast<uint32_t>(cost)} << 32 | static_cast<uint32_t>(cell);
+  };
+  std::priority_queue<uint64_t, std::vector<uint64_t>, std::greater<>> queue;
+  for (size_t i = 0; i < ways.source.data().size(); ++i) {
+    if (ways.source.data()[i] < 0) continue;
     ways.cost.data()[i] = 0;
-    ways.source.data()[i] = source.data()[i];
-    queue.emplace(0.0F, static_cast<int>(i));
+    queue.push(item(0, static_cast<int>(i)));
   }
   while (!queue.empty()) {
-    const auto [cost, cell] = queue.top();
+    const float cost = std::bit_cast<float>(static_cast<uint32_t>(queue.top() >> 32));
+    const int cell = static_cast<int>(static_cast<uint32_t>(queue.top()));
     queue.pop();
     if (cost > ways.cost.data()[static_cast<size_t>(cell)]) continue;
-    VisitNeighbors(cell, rows, cols, [&, cost = cost, cell = cell](int next) {
+    VisitNeighbors(cell, rows, cols, [&](int next) {
       const auto i = static_cast<size_t>(next);
       const float step = cell_cost.data()[i];
       if (step < 0 || cost + step >= ways.cost.data()[i]) return;
       ways.cost.data()[i] = cost + step;
       ways.source.data()[i] = ways.source.data()[static_cast<size_t>(cell)];
       ways.parent.data()[i] = cell;
-      queue.emplace(cost + step, next);
+      queue.push(item(cost + step, next));
     });
   }
   return ways;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "enfilade/geometry/boolean.h"
+#include "src/floorplan/box_index.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/wall_band.h"
 
@@ -61,8 +62,13 @@ std::optional<Polygon2> GapBetween(const LoopField& field, double reach_m, const
 MultiPolygon2 FindUnseenWalls(const LoopField& field, double reach_m, size_t num_entered,
                               const std::vector<Polygon2>& rooms) {
   MultiPolygon2 gaps;
+  std::vector<Box2> boxes;
+  for (size_t i = 0; i < num_entered; ++i)
+    boxes.push_back(Grown(BoundsOf(rooms[i].outer), kThickestGap_m));
+  const BoxIndex index(boxes);
   for (size_t i = 0; i < num_entered; ++i) {
-    for (size_t j = i + 1; j < num_entered; ++j) {
+    for (const size_t j : index.Touching(boxes[i])) {
+      if (j <= i) continue;
       const std::optional<Polygon2> gap =
           GapBetween(field, reach_m, rooms[i].outer, rooms[j].outer);
       if (gap) gaps.push_back(*gap);
@@ -75,7 +81,9 @@ int JoinAcross(const MultiPolygon2& gaps, std::vector<Polygon2>& rooms) {
   int num_joins = 0;
   for (const Polygon2& gap : gaps) {
     std::vector<size_t> beside;
+    const Box2 bounds = BoundsOf(gap.outer);
     for (size_t i = 0; i < rooms.size(); ++i) {
+      if (!BoundsOf(rooms[i].outer).intersects(bounds)) continue;
       if (Area(Intersection({rooms[i]}, {gap})) > 0) beside.push_back(i);
     }
     if (beside.size() != 2) continue;

@@ -9,6 +9,7 @@
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/image/image.h"
 #include "enfilade/optim/grid_loop.h"
+#include "src/floorplan/grid_window.h"
 
 namespace enfilade {
 
@@ -35,6 +36,9 @@ struct LoopField {
 /// Requires evidence in log-odds.
 [[nodiscard]] LoopField MakeLoopField(const EvidenceGrids& evidence,
                                       const FloorplanOptions& options);
+
+/// The part of the field in the window.
+[[nodiscard]] LoopField Cropped(const LoopField& field, const GridWindow& window);
 
 /// The costs for loops with the room on their right: every step costs what its reverse did.
 [[nodiscard]] std::vector<uint16_t> ReversedStepCosts(const LoopField& field);

@@ -15,6 +15,19 @@ namespace {
 constexpr double kTrim_m = 0.1;
 constexpr double kIslandMargin_m = 0.5;
 
+int MarginCells(const GridFrame& frame, const FloorplanOptions& options) {
+  return static_cast<int>(std::lround(options.margin_m / frame.cell_m));
+}
+
+int IslandMargin(const GridFrame& frame) {
+  return static_cast<int>(std::lround(kIslandMargin_m / frame.cell_m));
+}
+
+/// From the window's vertices to the grid's.
+void Shift(const GridWindow& window, std::vector<GridVertex>& ring) {
+  for (GridVertex& vertex : ring) vertex = {vertex.row + window.row, vertex.col + window.col};
+}
+
 GridLoopProblem MakeProblem(const LoopField& field, std::vector<uint16_t> step_cost,
                             const ImageU8& core, const FloorplanOptions& options) {
   GridLoopProblem problem;
@@ -23,7 +36,7 @@ GridLoopProblem MakeProblem(const LoopField& field, std::vector<uint16_t> step_c
   problem.core = core.data();
   problem.step_cost = std::move(step_cost);
   problem.turn_cost = field.turn_cost;
-  problem.margin_cells = static_cast<int>(std::lround(options.margin_m / field.frame.cell_m));
+  problem.margin_cells = MarginCells(field.frame, options);
   return problem;
 }
 
@@ -65,7 +78,7 @@ std::vector<CellSet> EnclosedSolids(const LoopField& field, const ImageU8& insid
   return sets;
 }
 
-/// Ways from the border of the grid that shun free space, to learn what hangs together with the
+/// Ways from the border of the field that shun free space, to learn what hangs together with the
 /// outside: one metre of free space is as far as a hundred of anything else.
 CellWays WaysFromOutside(const LoopField& field, const ImageU8& core) {
   const int rows = field.frame.rows, cols = field.frame.cols;
@@ -79,7 +92,7 @@ CellWays WaysFromOutside(const LoopField& field, const ImageU8& core) {
       if (row == 0 || col == 0 || row + 1 == rows || col + 1 == cols) source(row, col) = 0;
     }
   }
-  return FindCellWays(cost, source);
+  return FindCellWays(cost, std::move(source));
 }
 
 /// The way from the outside to the nearest cell of a solid, and the free space inside the ring that
@@ -113,11 +126,17 @@ Bridge FindBridge(const LoopField& field, const CellWays& ways, const CellSet& s
 std::vector<GridVertex> FindIsland(const LoopField& field, const CellSet& solid,
                                    const ImageU8& core, const FloorplanOptions& options,
                                    GridOutline& outline) {
-  ImageU8 cells(field.frame.rows, field.frame.cols);
-  for (const int cell : solid) cells.data()[static_cast<size_t>(cell)] = 1;
-  GridLoopProblem problem = MakeProblem(field, ReversedStepCosts(field), cells, options);
-  problem.margin_cells = static_cast<int>(std::lround(kIslandMargin_m / field.frame.cell_m));
-  BlockCells(core, problem);
+  const int margin = IslandMargin(field.frame), cols = field.frame.cols;
+  GridWindow window;
+  for (const int cell : solid) window.Add(cell / cols, cell % cols);
+  // One cell more: the loop along the border looks at the cells beside it.
+  window = window.Grown(margin + 1, field.frame.rows, cols);
+  const LoopField part = Cropped(field, window);
+  ImageU8 cells(window.rows, window.cols);
+  for (const int cell : solid) cells(cell / cols - window.row, cell % cols - window.col) = 1;
+  GridLoopProblem problem = MakeProblem(part, ReversedStepCosts(part), cells, options);
+  problem.margin_cells = margin;
+  BlockCells(Cropped(core, window), problem);
   GridLoopReport report = FindShortestLoop(problem);
   outline.num_settled += report.num_settled;
   if (report.outcome != GridLoopOutcome::kFound) return {};
@@ -131,10 +150,9 @@ std::vector<GridVertex> FindIsland(const LoopField& field, const CellSet& solid,
   const double rate = (static_cast<double>(report.cost) - turns) /
                       (kCostPerMetre * field.frame.cell_m * static_cast<double>(length));
   if (rate > options.max_island_cost) return {};
+  Shift(window, report.ring);
   return std::move(report.ring);
 }
-
-}  // namespace
 
 GridOutline FindOutline(const LoopField& field, const ImageU8& core, const ImageU8& foreign,
                         const FloorplanOptions& options, RunContext& context) {
@@ -179,6 +197,24 @@ GridOutline FindOutline(const LoopField& field, const ImageU8& core, const Image
     std::vector<GridVertex> island = FindIsland(field, solid, core, options, outline);
     if (!island.empty()) outline.islands.push_back(std::move(island));
   }
+  return outline;
+}
+
+}  // namespace
+
+GridOutline FindOutline(const LoopField& field, const CoreMap& cores, const ImageI& territories,
+                        int core_idx, const FloorplanOptions& options, RunContext& context) {
+  // So far the loop may go, and islands in it beyond.
+  const int reach = MarginCells(field.frame, options) + IslandMargin(field.frame) + 1;
+  const GridWindow window =
+      cores.windows[static_cast<size_t>(core_idx)].Grown(reach, field.frame.rows, field.frame.cols);
+  const ImageU8 core = CellsWhere(Cropped(cores.core_of_cell, window),
+                                  [&](int at_cell) { return at_cell == core_idx; });
+  GridOutline outline =
+      FindOutline(Cropped(field, window), core,
+                  ForeignCells(Cropped(territories, window), core_idx), options, context);
+  Shift(window, outline.outer);
+  for (std::vector<GridVertex>& island : outline.islands) Shift(window, island);
   return outline;
 }
 

@@ -10,6 +10,7 @@
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/optim/grid_loop.h"
 #include "src/floorplan/loop_field.h"
+#include "src/floorplan/territories.h"
 
 namespace enfilade {
 
@@ -22,9 +23,10 @@ struct GridOutline {
   int64_t num_settled = 0;
 };
 
-/// The outline round the cells `core`. Cells of `foreign` belong to others and are not entered.
-[[nodiscard]] GridOutline FindOutline(const LoopField& field, const ImageU8& core,
-                                      const ImageU8& foreign, const FloorplanOptions& options,
-                                      RunContext& context);
+/// The outline round a core, in the grid's vertices. Other cores' territories are not entered. Only
+/// the part of the grid round the core is looked at: time and memory are linear in its cells.
+[[nodiscard]] GridOutline FindOutline(const LoopField& field, const CoreMap& cores,
+                                      const ImageI& territories, int core_idx,
+                                      const FloorplanOptions& options, RunContext& context);
 
 }  // namespace enfilade

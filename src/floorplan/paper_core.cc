@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "enfilade/evidence/ray_traversal.h"
 #include "enfilade/floorplan/cells.h"
 #include "enfilade/image/distance_transform.h"
+#include "src/floorplan/territories.h"
 
 namespace enfilade {
 namespace {
@@ -63,12 +65,7 @@ struct CameraPair {
 std::vector<ImageU8> BridgeCores(const PaperField& field,
                                  const std::vector<EvidenceCamera>& cameras,
                                  const std::vector<ImageU8>& cores) {
-  ImageI core_of_cell(field.frame.rows, field.frame.cols, 1, -1);
-  for (size_t k = 0; k < cores.size(); ++k) {
-    for (size_t i = 0; i < cores[k].data().size(); ++i) {
-      if (cores[k].data()[i] != 0) core_of_cell.data()[i] = static_cast<int>(k);
-    }
-  }
+  const ImageI core_of_cell = CoreOfCells(field.frame, cores);
   std::vector<int> group(cores.size());
   for (size_t k = 0; k < cores.size(); ++k) group[k] = static_cast<int>(k);
   std::vector<int> camera_core;
@@ -135,7 +132,7 @@ int AddHiddenSpace(const PaperField& field, const ImageU8& inside, const ImageU8
     }
   }
   hidden = OpenByDisc(hidden, kOpeningRadius_m / cell_m);
-  const CellWays ways = FindCellWays(way_cost, source);
+  const CellWays ways = FindCellWays(way_cost, std::move(source));
   int num_spaces = 0;
   for (const CellSet& set : ConnectedCells(hidden)) {
     if (static_cast<double>(set.size()) * cell_m * cell_m < hidden_m2) continue;

@@ -21,10 +21,10 @@ ImageI TerritoriesOf(const PaperField& field, const std::vector<ImageU8>& cores)
     for (int col = 0; col < field.frame.cols; ++col)
       solid(row, col) = field.IsSeen(row, col) && !field.IsFree(row, col) ? 1 : 0;
   }
-  return AssignTerritories(solid, cores);
+  return AssignTerritories(std::move(solid), CoreOfCells(field.frame, cores));
 }
 
-void AddCells(const ImageU8& cells, uint8_t value, ImageU8& image) {
+void AddCells(const ImageU8& cells, uint16_t value, CoreImage& image) {
   for (size_t i = 0; i < cells.data().size(); ++i) {
     if (cells.data()[i] != 0) image.data()[i] = value;
   }
@@ -37,7 +37,7 @@ void AddPaperStorey(const EvidenceGrids& evidence, const StoreyStructure& height
                     RunContext& context, FloorplanReport& report) {
   Storey& storey = report.plan.storeys.back();
   PaperStorey& trace = report.paper.emplace_back();
-  trace.core = ImageU8(evidence.frame.rows, evidence.frame.cols);
+  trace.core = CoreImage(evidence.frame.rows, evidence.frame.cols);
   const PaperField field = MakePaperField(evidence, options.paper);
   const std::vector<ImageU8> cores = BridgeCores(field, evidence.cameras, SeparateCores(evidence));
   report.num_cores += static_cast<int>(cores.size());
@@ -52,7 +52,7 @@ void AddPaperStorey(const EvidenceGrids& evidence, const StoreyStructure& height
   for (size_t k = 0; k < outlines.size(); ++k) {
     PaperOutline& outline = outlines[k];
     report.num_settled += outline.num_settled;
-    AddCells(outline.core, static_cast<uint8_t>(k + 1), trace.core);
+    AddCells(outline.core, static_cast<uint16_t>(k + 1), trace.core);
     if (outline.outcome != GridLoopOutcome::kFound) {
       report.reason = fmt::format("core {} has no loop: {}", k,
                                   EnumNames(outline.outcome)[static_cast<size_t>(outline.outcome)]);

@@ -11,6 +11,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/cells.h"
 #include "enfilade/geometry/boolean.h"
+#include "src/floorplan/box_index.h"
 #include "src/floorplan/facade_store.h"
 #include "src/floorplan/join_rooms.h"
 #include "src/floorplan/largest_part.h"
@@ -28,12 +29,12 @@
 namespace enfilade {
 namespace {
 
-ImageI TerritoriesOf(const LoopField& field, const std::vector<ImageU8>& cores) {
+ImageI TerritoriesOf(const LoopField& field, const ImageI& core_of_cell) {
   ImageF solid(field.frame.rows, field.frame.cols);
   for (size_t i = 0; i < solid.data().size(); ++i) {
     solid.data()[i] = std::max({-field.freeness.data()[i], field.faceness.data()[i], 0.0F});
   }
-  return AssignTerritories(solid, cores);
+  return AssignTerritories(std::move(solid), core_of_cell);
 }
 
 Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
@@ -49,15 +50,26 @@ Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
 /// What remains of each polygon without the larger ones; in the given order.
 void RemoveOverlaps(std::vector<Polygon2>& polygons) {
   std::vector<size_t> order(polygons.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::vector<Box2> boxes;
+  for (size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+    boxes.push_back(BoundsOf(polygons[i].outer));
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return Area(polygons[a]) > Area(polygons[b]); });
-  MultiPolygon2 taken;
+  std::vector<size_t> rank(order.size());
+  for (size_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
+  const BoxIndex index(boxes);
   for (const size_t i : order) {
+    std::vector<size_t> before = index.Touching(boxes[i]);
+    std::erase_if(before,
+                  [&](size_t j) { return rank[j] >= rank[i] || polygons[j].outer.empty(); });
+    std::sort(before.begin(), before.end(), [&](size_t a, size_t b) { return rank[a] < rank[b]; });
+    MultiPolygon2 taken;
+    for (const size_t j : before) taken.push_back(polygons[j]);
     if (Area(Intersection({polygons[i]}, taken)) > 1e-6) {
       polygons[i] = LargestPart(Difference({polygons[i]}, taken));
     }
-    if (!polygons[i].outer.empty()) taken.push_back(polygons[i]);
   }
 }
 
@@ -76,9 +88,9 @@ class Solver {
       AddPaperStorey(evidence, heights, samples, options_, context_, report_);
       return;
     }
-    const std::vector<ImageU8> cores = SeparateCores(evidence);
-    report_.num_cores += static_cast<int>(cores.size());
-    if (cores.empty()) return;
+    const CoreMap cores = MapCores(evidence);
+    report_.num_cores += static_cast<int>(cores.windows.size());
+    if (cores.windows.empty()) return;
     const LoopField field = MakeLoopField(evidence, options_);
     std::vector<Polygon2> polygons = DrawPolygons(field, cores);
     RemoveOverlaps(polygons);
@@ -119,18 +131,19 @@ class Solver {
     }
   }
 
-  std::vector<Polygon2> DrawPolygons(const LoopField& field, const std::vector<ImageU8>& cores) {
-    const ImageI territories = TerritoriesOf(field, cores);
-    std::vector<Polygon2> polygons(cores.size());
-    std::vector<GridOutline> outlines(cores.size());
-    ParallelFor(context_, "floorplan", static_cast<int64_t>(cores.size()), [&](int64_t task) {
+  std::vector<Polygon2> DrawPolygons(const LoopField& field, const CoreMap& cores) {
+    const ImageI territories = TerritoriesOf(field, cores.core_of_cell);
+    const size_t num_cores = cores.windows.size();
+    std::vector<Polygon2> polygons(num_cores);
+    std::vector<GridOutline> outlines(num_cores);
+    ParallelFor(context_, "floorplan", static_cast<int64_t>(num_cores), [&](int64_t task) {
       const auto k = static_cast<size_t>(task);
-      outlines[k] = FindOutline(field, cores[k], ForeignCells(territories, static_cast<int>(k)),
-                                options_, context_);
+      outlines[k] =
+          FindOutline(field, cores, territories, static_cast<int>(task), options_, context_);
       if (outlines[k].outcome == GridLoopOutcome::kFound)
         polygons[k] = ToPolygon(field, outlines[k]);
     });
-    for (size_t k = 0; k < cores.size(); ++k) {
+    for (size_t k = 0; k < num_cores; ++k) {
       const GridOutline& outline = outlines[k];
       report_.num_settled += outline.num_settled;
       if (polygons[k].outer.empty()) {

@@ -2,45 +2,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/floorplan/territories.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace enfilade {
 
+CoreMap MapCores(const EvidenceGrids& evidence) {
+  const int rows = evidence.frame.rows, cols = evidence.frame.cols;
+  std::vector<CellSet> largest(static_cast<size_t>(evidence.num_cores) + 1);  // of each label
+  for (CellSet& set : ConnectedCells(evidence.core)) {
+    const size_t label = evidence.core.data()[static_cast<size_t>(set.front())];
+    if (label < largest.size() && set.size() > largest[label].size())
+      largest[label] = std::move(set);
+  }
+  CoreMap map{ImageI(rows, cols, 1, -1), {}};
+  for (const CellSet& set : largest) {
+    if (set.empty()) continue;
+    GridWindow& window = map.windows.emplace_back();
+    for (const int cell : set) {
+      map.core_of_cell.data()[static_cast<size_t>(cell)] = static_cast<int>(map.windows.size()) - 1;
+      window.Add(cell / cols, cell % cols);
+    }
+  }
+  return map;
+}
+
 std::vector<ImageU8> SeparateCores(const EvidenceGrids& evidence) {
+  const CoreMap map = MapCores(evidence);
   std::vector<ImageU8> cores;
-  for (int k = 1; k <= evidence.num_cores; ++k) {
-    ImageU8 cells(evidence.frame.rows, evidence.frame.cols);
-    for (size_t i = 0; i < cells.data().size(); ++i) cells.data()[i] = evidence.core.data()[i] == k;
-    const std::vector<CellSet> sets = ConnectedCells(cells);
-    if (sets.empty()) continue;
-    const CellSet& largest =
-        *std::max_element(sets.begin(), sets.end(),
-                          [](const CellSet& a, const CellSet& b) { return a.size() < b.size(); });
-    std::fill(cells.data().begin(), cells.data().end(), uint8_t{0});
-    for (const int cell : largest) cells.data()[static_cast<size_t>(cell)] = 1;
-    cores.push_back(std::move(cells));
+  for (size_t k = 0; k < map.windows.size(); ++k) {
+    cores.push_back(
+        CellsWhere(map.core_of_cell, [&](int core) { return core == static_cast<int>(k); }));
   }
   return cores;
 }
 
-ImageI AssignTerritories(const ImageF& solid, const std::vector<ImageU8>& cores) {
-  ImageF cost(solid.rows(), solid.cols());
-  ImageI source(solid.rows(), solid.cols(), 1, -1);
-  for (size_t i = 0; i < cost.data().size(); ++i) {
-    cost.data()[i] = 1 + 30 * solid.data()[i];
-    for (size_t k = 0; k < cores.size(); ++k) {
-      if (cores[k].data()[i] != 0) source.data()[i] = static_cast<int>(k);
+ImageI CoreOfCells(const GridFrame& frame, const std::vector<ImageU8>& cores) {
+  ImageI core_of_cell(frame.rows, frame.cols, 1, -1);
+  for (size_t k = 0; k < cores.size(); ++k) {
+    for (size_t i = 0; i < core_of_cell.data().size(); ++i) {
+      if (cores[k].data()[i] != 0) core_of_cell.data()[i] = static_cast<int>(k);
     }
   }
-  return FindCellWays(cost, source).source;
+  return core_of_cell;
 }
 
-ImageU8 ForeignCells(const ImageI& territories, int own) {
-  ImageU8 foreign(territories.rows(), territories.cols());
-  for (size_t i = 0; i < foreign.data().size(); ++i)
-    foreign.data()[i] = territories.data()[i] != own;
-  return foreign;
+ImageI AssignTerritories(ImageF solid, const ImageI& core_of_cell) {
+  for (float& value : solid.data()) value = 1 + 30 * value;
+  return FindCellWays(solid, core_of_cell).source;
 }
 
 }  // namespace enfilade

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/floorplan/unseen_space.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "enfilade/geometry/boolean.h"
+#include "src/floorplan/box_index.h"
 #include "src/floorplan/largest_part.h"
 #include "src/floorplan/slide.h"
 #include "src/floorplan/wall_band.h"
@@ -62,12 +62,6 @@ struct Border {
   double length_m = 0, open_m = 0;
 };
 
-Eigen::AlignedBox2d BoundsOf(const Polygon2& polygon) {
-  Eigen::AlignedBox2d bounds;
-  for (const Vector2d& p : polygon.outer) bounds.extend(p);
-  return bounds;
-}
-
 class SpaceTaker {
  public:
   SpaceTaker(const LoopField& field, const FloorplanOptions& options, std::vector<Polygon2>& rooms)
@@ -100,8 +94,9 @@ class SpaceTaker {
   void FindNear(const Polygon2& space) {
     near_.clear();
     const double reach_m = options_.wall_thickness_m + 2 * kTouch_m;
+    const Box2 bounds = BoundsOf(space.outer);
     for (size_t i = 0; i < rooms_.size(); ++i) {
-      if (BoundsOf(space).exteriorDistance(BoundsOf(rooms_[i])) <= reach_m) near_.push_back(i);
+      if (bounds.exteriorDistance(BoundsOf(rooms_[i].outer)) <= reach_m) near_.push_back(i);
     }
   }
 

@@ -5,9 +5,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "enfilade/base/check.h"
+#include "src/floorplan/box_index.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/wall_band.h"
 
@@ -52,10 +55,13 @@ struct Line {
   Vector2d origin, along, normal;  // normal: into the room
 };
 
-double CollinearLength(const Storey& storey, const Wall& wall) {
+double CollinearLength(const Storey& storey, const BoxIndex& index, const Wall& wall) {
   const Line line(wall);
+  const Vector2d reach = index.bounds().diagonal().norm() * line.along;
+  const Box2 beside = Grown(BoundsOf(wall.a - reach, wall.a + reach), kOnLine_m);
   double sum = 0;
-  for (const Wall& other : storey.walls) {
+  for (const size_t i : index.Touching(beside)) {
+    const Wall& other = storey.walls[i];
     const double length = (other.b - other.a).norm();
     if (&other == &wall || length < kShortest_m) continue;
     const bool is_parallel = std::abs(line.along.dot(other.b - other.a)) > kParallel * length;
@@ -66,10 +72,12 @@ double CollinearLength(const Storey& storey, const Wall& wall) {
   return std::min(sum, kMaxCollinear_m);
 }
 
-bool HasTwin(const Storey& storey, const Wall& wall) {
+bool HasTwin(const Storey& storey, const BoxIndex& index, const Wall& wall) {
   const Line line(wall);
   const double wall_length = (wall.b - wall.a).norm();
-  return std::any_of(storey.walls.begin(), storey.walls.end(), [&](const Wall& other) {
+  const std::vector<size_t> near = index.Touching(Grown(BoundsOf(wall.a, wall.b), kThickestWall_m));
+  return std::any_of(near.begin(), near.end(), [&](size_t i) {
+    const Wall& other = storey.walls[i];
     const double length = (other.b - other.a).norm();
     if (length < kShortest_m || line.along.dot(other.b - other.a) > -kParallel * length)
       return false;
@@ -205,6 +213,7 @@ std::vector<WallSigma> FindWallSigmas(const EvidenceGrids& evidence, const Store
                                       const FloorplanOptions& options) {
   ENFILADE_CHECK(witnesses.size() == storey.walls.size());
   const LoopField field = NormaliseEvidence(evidence, options);
+  const BoxIndex index = IndexWalls(storey.walls);
   std::vector<WallSigma> sigmas(storey.walls.size());
   for (size_t i = 0; i < sigmas.size(); ++i) {
     const Wall& wall = storey.walls[i];
@@ -212,8 +221,8 @@ std::vector<WallSigma> FindWallSigmas(const EvidenceGrids& evidence, const Store
     sigma.grounds = {
         .length_m = (wall.b - wall.a).norm(),
         .seen_share = MeasureWallBand(field, wall.a, wall.b, options.slide_m).seen_share,
-        .collinear_m = CollinearLength(storey, wall),
-        .has_twin = HasTwin(storey, wall),
+        .collinear_m = CollinearLength(storey, index, wall),
+        .has_twin = HasTwin(storey, index, wall),
         .num_agreeing =
             static_cast<int>(std::count_if(witnesses[i].begin(), witnesses[i].end(), IsAgreeing))};
     const double leverage = Leverage(witnesses[i], sigma.distance_m);
@@ -229,14 +238,13 @@ void AssignSumSigmas(const std::vector<WallSigma>& sigmas, Storey& storey) {
   const RingWalls ring = LinkWalls(storey.walls);
   for (size_t i = 0; i < sigmas.size(); ++i)
     storey.walls[i].length_sigma_m = LengthSigma(storey.walls, ring, sigmas, i);
-  for (Room& room : storey.rooms) {
-    std::vector<Part> parts;  // a wall that moves outwards adds its length times the way
-    for (size_t i = 0; i < sigmas.size(); ++i) {
-      const Wall& wall = storey.walls[i];
-      if (wall.room_id == room.id) parts.push_back({i, (wall.b - wall.a).norm()});
-    }
-    room.area_sigma_m2 = SigmaOfSum(sigmas, parts);
+  // A wall that moves outwards adds its length times the way.
+  std::map<int, std::vector<Part>> parts_of_room;
+  for (size_t i = 0; i < sigmas.size(); ++i) {
+    const Wall& wall = storey.walls[i];
+    parts_of_room[wall.room_id].push_back({i, (wall.b - wall.a).norm()});
   }
+  for (Room& room : storey.rooms) room.area_sigma_m2 = SigmaOfSum(sigmas, parts_of_room[room.id]);
 }
 
 void AssignSigmas(const Scene& scene, const Structure& structure,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "src/floorplan/box_index.h"
+
 namespace enfilade {
 namespace {
 
@@ -32,10 +34,12 @@ double CommonLength(const Wall& wall, const Wall& other, double max_wall_m) {
 }  // namespace
 
 void MeasureThickness(double max_wall_m, Storey& storey) {
+  const BoxIndex index = IndexWalls(storey.walls);
   for (Wall& wall : storey.walls) {
     const Wall* far_face = nullptr;
     double most = kMinShare * (wall.b - wall.a).norm();
-    for (const Wall& other : storey.walls) {
+    for (const size_t i : index.Touching(Grown(BoundsOf(wall.a, wall.b), max_wall_m))) {
+      const Wall& other = storey.walls[i];
       if (other.room_id == wall.room_id) continue;
       const double common = CommonLength(wall, other, max_wall_m);
       if (common <= most) continue;

@@ -25,6 +25,8 @@ constexpr int kVersion = 1;
 constexpr int kMaxStoreys = 1000;
 constexpr int kMaxCells = 1 << 16;  // along one side
 constexpr int kMaxViews = 1 << 20;
+// Up to so many cores a cell's takes one byte, else two.
+constexpr int kMaxByteCores = 255, kMaxCores = 65535;
 constexpr int kLastMode = static_cast<int>(EvidenceMode::kCounts);
 
 fs::path StoreyFile(const fs::path& folder, size_t storey_idx, std::string_view ending) {
@@ -55,7 +57,12 @@ void WriteGrids(const fs::path& path, const EvidenceGrids& grids) {
   writer.AddArray(std::span(grids.wall.data()));
   writer.AddArray(std::span(grids.free.data()));
   writer.AddArray(std::span(grids.support.data()));
-  writer.AddArray(std::span(grids.core.data()));
+  if (grids.num_cores <= kMaxByteCores) {
+    const std::vector<uint8_t> core(grids.core.data().begin(), grids.core.data().end());
+    writer.AddArray(std::span(core));
+  } else {
+    writer.AddArray(std::span(grids.core.data()));
+  }
   WriteFileAtomic(path, writer.bytes());
 }
 
@@ -69,27 +76,34 @@ EvidenceGrids ReadGrids(const fs::path& path) {
   frame.rows = reader.GetSize(kMaxCells);
   frame.cols = reader.GetSize(kMaxCells);
   grids.mode = static_cast<EvidenceMode>(reader.GetSize(kLastMode));
-  grids.num_cores = reader.GetSize(255);
+  grids.num_cores = reader.GetSize(kMaxCores);
   grids.cameras.resize(static_cast<size_t>(reader.GetSize(kMaxViews)));
   for (EvidenceCamera& camera : grids.cameras) {
     camera.view_idx = reader.GetSize(kMaxViews);
     camera.position.x() = reader.GetFinite();
     camera.position.y() = reader.GetFinite();
   }
-  reader.Require(uint64_t{2 * sizeof(float) + 2} * static_cast<uint64_t>(frame.rows) *
+  const size_t core_bytes = grids.num_cores <= kMaxByteCores ? 1 : 2;
+  reader.Require(uint64_t{2 * sizeof(float) + 1 + core_bytes} * static_cast<uint64_t>(frame.rows) *
                  static_cast<uint64_t>(frame.cols));
   grids.wall = ImageF(frame.rows, frame.cols);
   grids.free = ImageF(frame.rows, frame.cols);
   grids.support = ImageU8(frame.rows, frame.cols);
-  grids.core = ImageU8(frame.rows, frame.cols);
+  grids.core = CoreImage(frame.rows, frame.cols);
   reader.GetFiniteArray(grids.wall.data());
   reader.GetFiniteArray(grids.free.data());
   reader.GetArray(std::span(grids.support.data()));
-  reader.GetArray(std::span(grids.core.data()));
+  if (core_bytes == 1) {
+    std::vector<uint8_t> core(grids.core.data().size());
+    reader.GetArray(std::span(core));
+    std::copy(core.begin(), core.end(), grids.core.data().begin());
+  } else {
+    reader.GetArray(std::span(grids.core.data()));
+  }
   reader.Finish();
   const bool is_cell_positive = frame.cell_m > 0;
   const bool are_cores_known = std::all_of(grids.core.data().begin(), grids.core.data().end(),
-                                           [&](uint8_t core) { return core <= grids.num_cores; });
+                                           [&](uint16_t core) { return core <= grids.num_cores; });
   if (!is_cell_positive || !are_cores_known) {
     throw InvalidInputError(path.native(), "contradicts itself",
                             "run 'enfilade evidence OUT' again");
@@ -112,7 +126,7 @@ ImageU8 PictureOf(const ImageF& values) {
 }
 
 // Cores in distinct colours on black, y up.
-ImageU8 PictureOf(const ImageU8& core) {
+ImageU8 PictureOf(const CoreImage& core) {
   ImageU8 picture(core.rows(), core.cols(), 3);
   for (int row = 0; row < core.rows(); ++row) {
     for (int col = 0; col < core.cols(); ++col) {

@@ -22,7 +22,7 @@ class Explain : public testing::Test {
     grids.frame = {{-1, -1}, 0.1, 50, 60};
     grids.wall = ImageF(50, 60);
     grids.free = ImageF(50, 60);
-    grids.core = ImageU8(50, 60);
+    grids.core = CoreImage(50, 60);
     for (int row = 12; row < 38; ++row) {
       for (int col = 12; col < 48; ++col) {
         grids.free(row, col) = col < 24 ? 3 : 12;

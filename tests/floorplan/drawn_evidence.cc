@@ -62,7 +62,7 @@ EvidenceGrids DrawEvidence(const MultiPolygon2& free, const DrawOptions& options
   const int rows = grids.frame.rows, cols = grids.frame.cols;
   grids.wall = ImageF(rows, cols);
   grids.free = ImageF(rows, cols);
-  grids.core = ImageU8(rows, cols);
+  grids.core = CoreImage(rows, cols);
   const MultiPolygon2 cores = Offset(free, -options.core_distance_m);
   grids.num_cores = static_cast<int>(cores.size());
   std::mt19937 random(options.seed);
@@ -84,7 +84,7 @@ EvidenceGrids DrawEvidence(const MultiPolygon2& free, const DrawOptions& options
       grids.wall(row, col) =
           static_cast<float>(options.log_odds * wall + options.noise * gauss(random));
       for (size_t k = 0; k < cores.size(); ++k) {
-        if (Contains(cores[k], p)) grids.core(row, col) = static_cast<uint8_t>(k + 1);
+        if (Contains(cores[k], p)) grids.core(row, col) = static_cast<uint16_t>(k + 1);
       }
     }
   }

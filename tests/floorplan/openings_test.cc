@@ -82,6 +82,15 @@ class OpeningsTest : public testing::Test {
   OpeningReport report_;
 };
 
+void ExpectSameOpenings(const std::vector<Opening>& x, const std::vector<Opening>& y) {
+  ASSERT_EQ(x.size(), y.size());
+  for (size_t i = 0; i < x.size(); ++i) {
+    EXPECT_EQ(x[i].a, y[i].a);
+    EXPECT_EQ(x[i].b, y[i].b);
+    EXPECT_EQ(x[i].head_z, y[i].head_z);
+  }
+}
+
 void ExpectDoor(const Opening& door, const Vector2d& a, const Vector2d& b, double head_m) {
   EXPECT_EQ(door.kind, OpeningKind::kDoor);
   EXPECT_LT((door.a - a).norm(), 0.04) << door.a.transpose();
@@ -188,33 +197,29 @@ TEST_F(OpeningsTest, SameForAnyNumberOfThreads) {
     plan.storeys.push_back(StoreyOf({Box(0, 0, 3.94, 3), Box(4.06, 0, 8, 3)}));
     FindOpenings(scene, {}, context, plan);
   }
-  const std::vector<Opening>&x = plans[0].storeys[0].openings, &y = plans[1].storeys[0].openings;
-  ASSERT_EQ(x.size(), y.size());
-  for (size_t i = 0; i < x.size(); ++i) {
-    EXPECT_EQ(x[i].a, y[i].a);
-    EXPECT_EQ(x[i].b, y[i].b);
-    EXPECT_EQ(x[i].head_z, y[i].head_z);
-  }
+  ExpectSameOpenings(plans[0].storeys[0].openings, plans[1].storeys[0].openings);
 }
 
 class SplitRoomsTest : public OpeningsTest {
  protected:
   // The parts of one room from 0 to 8 m with wall evidence at x = 4 beside the door.
   std::vector<Polygon2> Split(const std::vector<PaintedQuad>& quads, bool has_wall_evidence) {
-    const Polygon2 room = Box(0, 0, 8, 3);
-    EvidenceGrids grids = DrawEvidence({room});
+    EvidenceGrids grids = DrawEvidence({room_});
     if (has_wall_evidence) {
       for (const auto& [from, to] : {std::pair{0.0, 1.0}, {1.9, 3.0}}) {
         AddEvidence(Box(3.925, from, 3.95, to), 0, 6, grids);
         AddEvidence(Box(3.95, from, 4.05, to), -6, 0, grids);
       }
     }
-    RunContext context(2);
-    FacadeStore facades(context);
-    return SplitRoomsAtDoors(Shoot(quads, {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}, {6, 1.4, 1.5}}),
-                             Rigid3(), MakeLoopField(grids, {}), StoreyOf({room}), 0, 0.12, {},
-                             facades, context);
+    scene_ = Shoot(quads, {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}, {6, 1.4, 1.5}});
+    return SplitRoomsAtDoors(scene_, Rigid3(), MakeLoopField(grids, {}), StoreyOf({room_}), 0, 0.12,
+                             {}, facades_, context_);
   }
+
+  Polygon2 room_ = Box(0, 0, 8, 3);
+  RunContext context_ = RunContext(2);
+  FacadeStore facades_ = FacadeStore(context_);
+  Scene scene_;
 };
 
 TEST_F(SplitRoomsTest, CutsAtAWallWithADoor) {
@@ -228,6 +233,20 @@ TEST_F(SplitRoomsTest, CutsAtAWallWithADoor) {
 
 TEST_F(SplitRoomsTest, NeedsADoorInThePictures) {
   EXPECT_EQ(Split(PaintBox(0, 0, 8, 3), true).size(), 1u);
+}
+
+TEST_F(SplitRoomsTest, WallsThatWereLookedAtAreNotLookedAtAgain) {
+  std::vector<PaintedQuad> quads = PaintBox(0, 0, 8, 3);
+  quads.push_back({1, 3, 1.2, 2.1, 0, kHead_m, 90});
+  ASSERT_EQ(Split(quads, true).size(), 1u);
+  Floorplan anew, kept;
+  anew.storeys.push_back(StoreyOf({room_}));
+  kept.storeys.push_back(StoreyOf({room_}));
+  FindOpenings(scene_, {}, context_, anew);
+  for (View& view : scene_.views) view.path = folder_ / "gone.png";
+  FindOpenings(scene_, {}, context_, kept, &facades_);
+  EXPECT_EQ(kept.storeys[0].openings.size(), 1u);
+  ExpectSameOpenings(anew.storeys[0].openings, kept.storeys[0].openings);
 }
 
 TEST_F(SplitRoomsTest, NeedsWallEvidence) { EXPECT_EQ(Split(TwoRooms(), false).size(), 1u); }

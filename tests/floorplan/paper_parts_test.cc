@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "enfilade/floorplan/cells.h"
+#include "src/floorplan/grid_window.h"
 #include "src/floorplan/paper_anchors.h"
 #include "src/floorplan/paper_contour.h"
 #include "src/floorplan/paper_field.h"
@@ -42,6 +43,10 @@ TEST(TraceContour, StaysWithItsCellWhereTwoMeetAtACorner) {
   EXPECT_EQ(CellsInside(5, 6, contour).data(), cells.data());
 }
 
+ImageU8 CellsOfCores(const EvidenceGrids& grids) {
+  return CellsWhere(grids.core, [](int core) { return core != 0; });
+}
+
 TEST(PaperField, AStepCostsWhereNeitherCellBesideItHasEnoughPoints) {
   EvidenceGrids grids = DrawCounts({Box(0, 0, 1, 1)}, {});
   std::fill(grids.wall.data().begin(), grids.wall.data().end(), 0.0F);
@@ -51,7 +56,7 @@ TEST(PaperField, AStepCostsWhereNeitherCellBesideItHasEnoughPoints) {
   options.wall_points_per_m = 4 / grids.frame.cell_m;
   const PaperField field = MakePaperField(grids, options);
   const GridLoopProblem problem =
-      MakePaperProblem(field, grids.core, ImageU8(grids.frame.rows, grids.frame.cols), 1);
+      MakePaperProblem(field, CellsOfCores(grids), ImageU8(grids.frame.rows, grids.frame.cols), 1);
   const auto cost = [&](int row, int col, GridHeading heading) {
     return static_cast<int>(problem.step_cost[problem.StepIndex(row, col, heading)]);
   };
@@ -87,9 +92,8 @@ TEST(ClosedFreeSpace, FillsFanGapsAndHolesButNotWallsNorOtherCores) {
   }
   EraseEvidence(Box(1.2, 1.4, 1.6, 1.6), grids);  // a hole
   const PaperField field = MakePaperField(grids, {});
-  ImageU8 core(grids.frame.rows, grids.frame.cols);
   const int left = grids.core(grids.frame.Row(1), grids.frame.Col(1));
-  for (size_t i = 0; i < core.data().size(); ++i) core.data()[i] = grids.core.data()[i] == left;
+  const ImageU8 core = CellsWhere(grids.core, [&](int at_cell) { return at_cell == left; });
   const ImageU8 region = ClosedFreeSpace(field, core, ImageU8(grids.frame.rows, grids.frame.cols));
   const auto at = [&](double x, double y) {
     return static_cast<int>(region(grids.frame.Row(y), grids.frame.Col(x)));
@@ -105,11 +109,12 @@ class Room : public testing::Test {
  protected:
   EvidenceGrids grids = DrawCounts({Box(0, 0, 4, 3)}, {{2, 1.5}});
   PaperField field = MakePaperField(grids, {});
+  ImageU8 core = CellsOfCores(grids);
   ImageU8 none = ImageU8(grids.frame.rows, grids.frame.cols);
 };
 
 TEST_F(Room, LegsCostTheirUnseenStepsAndCorners) {
-  const LegSolver legs(field, grids.core, none);
+  const LegSolver legs(field, core, none);
   const auto vertex = [&](double x, double y) {
     return GridVertex{static_cast<int>(std::lround((y - grids.frame.origin.y()) / 0.025)),
                       static_cast<int>(std::lround((x - grids.frame.origin.x()) / 0.025))};
@@ -122,8 +127,8 @@ TEST_F(Room, LegsCostTheirUnseenStepsAndCorners) {
 }
 
 TEST_F(Room, TheGuidePassesTheAnchorsInOrderAndIsMadeOfStraightRuns) {
-  const std::vector<GridVertex> contour = TraceContour(ClosedFreeSpace(field, grids.core, none));
-  const AnchorScene scene{field, grids.cameras, grids.core, none, none, contour};
+  const std::vector<GridVertex> contour = TraceContour(ClosedFreeSpace(field, core, none));
+  const AnchorScene scene{field, grids.cameras, core, none, none, contour};
   const std::vector<WallAnchor> anchors = FindAnchors(scene, {});
   ASSERT_GE(anchors.size(), 8u);
   std::vector<int> idx;

@@ -53,6 +53,19 @@ void ExpectPlan(const FloorplanReport& report, const MultiPolygon2& truth, doubl
   EXPECT_EQ(count(region), count(truth));
 }
 
+TEST(SolveFloorplan, ARoomIsDrawnAsIfItWereAlone) {
+  const Polygon2 room = {ParseRing("0,0 4,0 4,3 2.5,3 2.5,2 0,2"),
+                         {ParseRing("1,0.6 1,1.1 1.5,1.1 1.5,0.6")}};
+  const DrawOptions options = {.face_blur_m = 0.03, .noise = 0};
+  const MultiPolygon2 alone = Region(Solve(DrawEvidence({room}, options)));
+  const MultiPolygon2 beside = Region(Solve(DrawEvidence({room, Box(9, 0, 13, 8)}, options)));
+  ASSERT_EQ(alone.size(), 1u);
+  ASSERT_EQ(beside.size(), 2u);
+  const Polygon2& same = beside[Contains(beside[0], {0.5, 0.5}) ? 0 : 1];
+  EXPECT_EQ(same.outer, alone[0].outer);
+  EXPECT_EQ(same.holes, alone[0].holes);
+}
+
 TEST(SolveFloorplan, ARectangleIsExact) {
   const MultiPolygon2 truth = {Box(0, 0, 4, 3)};
   const FloorplanReport report = Solve(DrawEvidence(truth));
@@ -157,7 +170,7 @@ TEST(SolveFloorplan, AFaceAcrossFreeSpaceClosesNoAlcove) {
       {{{0, 0}, {5, 0}, {5, 4}, {3, 4}, {3, 6.5}, {0.5, 6.5}, {0.5, 4}, {0, 4}}, {}}};
   EvidenceGrids grids = DrawEvidence(truth, {.log_odds = 2});
   for (int row = grids.frame.Row(3.9); row < grids.frame.rows; ++row)
-    std::fill_n(grids.core.row(row), grids.frame.cols, uint8_t{0});
+    std::fill_n(grids.core.row(row), grids.frame.cols, uint16_t{0});
   AddEvidence(Box(0.55, 4, 2.95, 4.03), 0, 3, grids);
   ExpectPlan(Solve(grids), truth, 0.005);
 }

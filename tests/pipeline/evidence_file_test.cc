@@ -24,7 +24,7 @@ std::vector<EvidenceGrids> ExampleEvidence() {
   grids.wall.data() = RandomFloats(35, random);
   grids.free = ImageF(5, 7);
   grids.free.data() = RandomFloats(35, random);
-  grids.core = ImageU8(5, 7);
+  grids.core = CoreImage(5, 7);
   grids.core(1, 2) = 1;
   grids.core(4, 6) = 2;
   grids.num_cores = 2;
@@ -32,7 +32,10 @@ std::vector<EvidenceGrids> ExampleEvidence() {
   grids.support(3, 3) = kSupportNear;
   grids.mode = EvidenceMode::kCounts;
   grids.cameras = {{0, {1.0 / 7.0, 2}}, {5, {-1, 0.1}}};
-  return {grids, grids};
+  EvidenceGrids many = grids;  // cores that take two bytes a cell
+  many.core(0, 0) = 300;
+  many.num_cores = 300;
+  return {grids, many};
 }
 
 TEST(EvidenceFile, ReadsExactlyWhatItWrites) {
@@ -46,7 +49,7 @@ TEST(EvidenceFile, ReadsExactlyWhatItWrites) {
     EXPECT_EQ(read[i].frame.cell_m, written[i].frame.cell_m);
     EXPECT_EQ(read[i].frame.rows, 5);
     EXPECT_EQ(read[i].frame.cols, 7);
-    EXPECT_EQ(read[i].num_cores, 2);
+    EXPECT_EQ(read[i].num_cores, written[i].num_cores);
     EXPECT_EQ(read[i].wall.data(), written[i].wall.data());
     EXPECT_EQ(read[i].free.data(), written[i].free.data());
     EXPECT_EQ(read[i].support.data(), written[i].support.data());

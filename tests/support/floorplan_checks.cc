@@ -8,6 +8,7 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "enfilade/geometry/polygon2.h"
+#include "src/floorplan/box_index.h"
 
 namespace enfilade {
 namespace {
@@ -51,14 +52,19 @@ void ExpectWallsAreEdges(const Storey& storey, const Room& room) {
 }
 
 void ExpectValidStorey(const Storey& storey) {
-  MultiPolygon2 taken;
-  for (const Room& room : storey.rooms) {
+  std::vector<Box2> boxes;
+  for (const Room& room : storey.rooms) boxes.push_back(BoundsOf(room.polygon.outer));
+  for (size_t i = 0; i < storey.rooms.size(); ++i) {
+    const Room& room = storey.rooms[i];
     SCOPED_TRACE(testing::Message() << "room " << room.id);
     ExpectValidPolygon(room.polygon);
     EXPECT_GT(room.ceiling_z, room.floor_z);
     EXPECT_TRUE(std::isfinite(room.area_sigma_m2) && room.area_sigma_m2 >= 0);
+    MultiPolygon2 taken;
+    for (size_t j = 0; j < i; ++j) {
+      if (boxes[j].intersects(boxes[i])) taken.push_back(storey.rooms[j].polygon);
+    }
     EXPECT_LT(Area(Intersection({room.polygon}, taken)), kMaxOverlap_m2) << "rooms overlap";
-    taken.push_back(room.polygon);
     ExpectWallsAreEdges(storey, room);
   }
   for (size_t i = 0; i < storey.walls.size(); ++i) {

@@ -26,7 +26,7 @@ struct CoreOptions {
 };
 
 struct CoreReport {
-  ImageU8 core;  ///< 0, or 1 + index of the core component
+  CoreImage core;
   int num_cores = 0;
   std::vector<int> views_without_core;  ///< cameras farther than camera_snap_m from every core
   int num_necks_cut = 0;
@@ -42,8 +42,8 @@ struct CoreReport {
 /// filled; eroded so that a path has room.
 ///
 /// Guarantees: components are 4-connected, separated by at least one cell, clear of the grid's
-/// border, numbered by the smallest view_idx that stands in them; at most 255 of them. Every camera
-/// is in a core or listed. Cost O(cells + cameras² · side).
+/// border, numbered by the smallest view_idx that stands in them; at most 65535 of them. Every
+/// camera is in a core or listed. Cost O(cells + cameras² · side).
 [[nodiscard]] CoreReport FindCore(const EvidenceGrids& grids, const CoreOptions& options,
                                   RunContext& context);
 

@@ -61,6 +61,9 @@ enum class EvidenceMode {
 inline constexpr uint8_t kSupportNear = 1;           ///< near a camera, over unbroken floor
 inline constexpr uint8_t kSupportTwoDirections = 2;  ///< seen free from two different directions
 
+/// Of each cell 0, or 1 + the index of the core component that it belongs to.
+using CoreImage = Image<uint16_t>;
+
 /// The evidence of one storey. All images have frame.rows × frame.cols pixels.
 struct EvidenceGrids {
   GridFrame frame;
@@ -68,7 +71,7 @@ struct EvidenceGrids {
   ImageF wall;      ///< that a wall face lies in the cell: negative where rays pass through it
   ImageF free;      ///< that the cell is free up to the structural wall: negative just behind walls
   ImageU8 support;  ///< kSupport bits
-  ImageU8 core;     ///< 0, or 1 + the index of the core component that the cell belongs to
+  CoreImage core;
   int num_cores = 0;
   std::vector<EvidenceCamera> cameras;  ///< ascending view_idx, one a view that has samples
 };

@@ -23,8 +23,10 @@ using ImageI = Image<int>;
 /// The cells of one 4-connected set, as indices row · cols + col in ascending order.
 using CellSet = std::vector<int>;
 
-/// The 4-connected components of the non-zero cells, in the order of their first cell.
-[[nodiscard]] std::vector<CellSet> ConnectedCells(const ImageU8& cells);
+/// The 4-connected components of cells with the same value but zero, in the order of their first
+/// cell. For uint8_t and uint16_t.
+template <typename T>
+[[nodiscard]] std::vector<CellSet> ConnectedCells(const Image<T>& cells);
 
 /// Cheapest ways over cell sides from sources.
 struct CellWays {
@@ -35,6 +37,6 @@ struct CellWays {
 
 /// Dijkstra over 4-neighbours. `cell_cost` is what entering a cell costs, negative where no way
 /// leads through; cells with source ≥ 0 are where ways start. Ties are broken by the cells' order.
-[[nodiscard]] CellWays FindCellWays(const ImageF& cell_cost, const ImageI& source);
+[[nodiscard]] CellWays FindCellWays(const ImageF& cell_cost, ImageI source);
 
 }  // namespace enfilade

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "enfilade/base/options.h"
+#include "enfilade/evidence/types.h"
 #include "enfilade/geometry/polygon2.h"
 #include "enfilade/image/image.h"
 
@@ -49,7 +50,7 @@ struct PaperLoop {
 
 /// What the method did on one storey, for a picture of it.
 struct PaperStorey {
-  ImageU8 core;  ///< as EvidenceGrids::core, with bridges between cores and hidden spaces
+  CoreImage core;  ///< as EvidenceGrids::core, with bridges between cores and hidden spaces
   std::vector<PaperLoop> loops;
 };
 

@@ -39,7 +39,7 @@ inline constexpr double kAgreement = 0.05;
 ///
 /// Each column's ray runs through the plan up to the first wall face that is no door or opening;
 /// the wall is seen if the ray comes from its room. Columns that the picture does not cover are
-/// left out. Cost: columns × walls.
+/// left out. Cost: a column looks at the walls in its direction only.
 [[nodiscard]] std::vector<std::vector<WallWitness>> FindWallWitnesses(const Scene& scene,
                                                                       const Structure& structure,
                                                                       const Storey& storey,
