@@ -7,7 +7,7 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/box_index.h"
-#include "src/floorplan/largest_part.h"
+#include "src/floorplan/sound_polygon.h"
 #include "src/floorplan/wall_band.h"
 
 namespace enfilade {
@@ -87,8 +87,7 @@ int JoinAcross(const MultiPolygon2& gaps, std::vector<Polygon2>& rooms) {
       if (Area(Intersection({rooms[i]}, {gap})) > 0) beside.push_back(i);
     }
     if (beside.size() != 2) continue;
-    rooms[beside[0]] = WithoutCollinear(
-        LargestPart(Union({rooms[beside[0]], rooms[beside[1]], gap})), kCollinear_m);
+    rooms[beside[0]] = LargestRoom(Union({rooms[beside[0]], rooms[beside[1]], gap}), kCollinear_m);
     rooms.erase(rooms.begin() + static_cast<std::ptrdiff_t>(beside[1]));
     ++num_joins;
   }

@@ -76,10 +76,16 @@ uint16_t ToUnits(double cost_m) {
   return static_cast<uint16_t>(std::clamp(std::lround(cost_m * kCostPerMetre), 0L, 60000L));
 }
 
+// Log-odds that are no number say nothing, and none says more than that it is sure.
+float Known(float log_odds) {
+  constexpr float kSure = 1000;
+  return std::isnan(log_odds) ? 0.0F : std::clamp(log_odds, -kSure, kSure);
+}
+
 void NormaliseLogOdds(const EvidenceGrids& evidence, const FloorplanOptions& options,
                       LoopField& field) {
   for (size_t i = 0; i < evidence.wall.data().size(); ++i) {
-    const float wall = evidence.wall.data()[i], free = evidence.free.data()[i];
+    const float wall = Known(evidence.wall.data()[i]), free = Known(evidence.free.data()[i]);
     field.wall.data()[i] = wall;
     field.freeness.data()[i] = std::tanh(0.5F * free);
     // No face stands where panoramas look through.

@@ -14,13 +14,13 @@
 #include "src/floorplan/box_index.h"
 #include "src/floorplan/facade_store.h"
 #include "src/floorplan/join_rooms.h"
-#include "src/floorplan/largest_part.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/oblique.h"
 #include "src/floorplan/outline.h"
 #include "src/floorplan/paper_storey.h"
 #include "src/floorplan/rooms.h"
 #include "src/floorplan/slide.h"
+#include "src/floorplan/sound_polygon.h"
 #include "src/floorplan/split_rooms.h"
 #include "src/floorplan/territories.h"
 #include "src/floorplan/unseen_space.h"
@@ -28,6 +28,8 @@
 
 namespace enfilade {
 namespace {
+
+constexpr double kCollinear_m = 1e-6;
 
 ImageI TerritoriesOf(const LoopField& field, const ImageI& core_of_cell) {
   ImageF solid(field.frame.rows, field.frame.cols);
@@ -42,17 +44,16 @@ Polygon2 ToPolygon(const LoopField& field, const GridOutline& outline) {
   for (const auto& island : outline.islands) {
     region = Difference(region, {{RingInMetres(field.frame, island), {}}});
   }
-  constexpr double kCollinear_m = 1e-9;
-  const Polygon2 largest = LargestPart(region);
-  return largest.outer.empty() ? Polygon2{} : WithoutCollinear(largest, kCollinear_m);
+  return LargestRoom(region, 1e-9);
 }
 
-/// What remains of each polygon without the larger ones; in the given order.
+/// What remains of each polygon, its rings apart, without the larger ones; in the given order.
 void RemoveOverlaps(std::vector<Polygon2>& polygons) {
   std::vector<size_t> order(polygons.size());
   std::vector<Box2> boxes;
   for (size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
+    if (!polygons[i].holes.empty()) polygons[i] = WithRingsApart(polygons[i], kCollinear_m);
     boxes.push_back(BoundsOf(polygons[i].outer));
   }
   std::stable_sort(order.begin(), order.end(),
@@ -67,8 +68,8 @@ void RemoveOverlaps(std::vector<Polygon2>& polygons) {
     std::sort(before.begin(), before.end(), [&](size_t a, size_t b) { return rank[a] < rank[b]; });
     MultiPolygon2 taken;
     for (const size_t j : before) taken.push_back(polygons[j]);
-    if (Area(Intersection({polygons[i]}, taken)) > 1e-6) {
-      polygons[i] = LargestPart(Difference({polygons[i]}, taken));
+    if (Area(Intersection({polygons[i]}, taken)) > kMaxOverlap_m2) {
+      polygons[i] = LargestRoom(Difference({polygons[i]}, taken), kCollinear_m);
     }
   }
 }

@@ -10,7 +10,7 @@
 #include "enfilade/geometry/boolean.h"
 #include "enfilade/image/sampling.h"
 #include "src/floorplan/facade_store.h"
-#include "src/floorplan/largest_part.h"
+#include "src/floorplan/sound_polygon.h"
 
 namespace enfilade {
 namespace {
@@ -196,7 +196,7 @@ MultiPolygon2 PartsBeside(const Polygon2& room, const LoopField& field, const Cu
   MultiPolygon2 parts = Difference({room}, {{strip, {}}});
   if (parts.size() < 2) return {};
   for (Polygon2& part : parts) {
-    part = WithoutCollinear(std::move(part), kCollinear_m);
+    part = WithRingsApart(std::move(part), kCollinear_m);
     const Polygon2 inner = LargestPart(OffsetSharp({part}, -0.5 * kMinRoomWidth_m));
     if (inner.outer.empty() || Area(part) < kMinRoom_m2) return {};
   }

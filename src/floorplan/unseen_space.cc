@@ -9,8 +9,8 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/box_index.h"
-#include "src/floorplan/largest_part.h"
 #include "src/floorplan/slide.h"
+#include "src/floorplan/sound_polygon.h"
 #include "src/floorplan/wall_band.h"
 
 namespace enfilade {
@@ -43,9 +43,7 @@ MultiPolygon2 Enclosed(const MultiPolygon2& rooms, double gap_m, double max_hole
 
 // The largest part without needless vertices.
 Polygon2 TidyPart(const MultiPolygon2& region, double min_jog_m, const WallWeight& weight) {
-  const Polygon2 largest = LargestPart(region);
-  if (largest.outer.empty()) return {};
-  Polygon2 part = WithoutCollinear(largest, kCollinear_m);
+  Polygon2 part = LargestRoom(region, kCollinear_m);
   StraightenJogs(min_jog_m, weight, part);
   return part;
 }
@@ -79,9 +77,8 @@ class SpaceTaker {
                          [](const Border& a, const Border& b) { return a.open_m < b.open_m; });
     const bool is_cut_off = most_open->open_m >= kOpenSide_m;
     if (!is_cut_off) {
-      const Polygon2 closet =
-          TidyPart(Open(Difference({space}, Walls(std::nullopt)), kClosetDepth_m),
-                   options_.min_jog_m, LengthOf);
+      const Polygon2 closet = TidyRoom(
+          Open(Difference({space}, Walls(std::nullopt)), kClosetDepth_m), LengthOf, std::nullopt);
       if (Area(closet) >= kClosetArea_m2) {
         rooms_.push_back(closet);
         return Area(closet);
@@ -142,7 +139,8 @@ class SpaceTaker {
   }
 
   // Where both go on side by side, the room's own walls say where.
-  [[nodiscard]] Polygon2 Widened(const Polygon2& room, const MultiPolygon2& by) const {
+  [[nodiscard]] Polygon2 Widened(size_t room_idx, const MultiPolygon2& by) const {
+    const Polygon2& room = rooms_[room_idx];
     const std::vector<Ring2> rings = RingsOf(room);
     const auto weight = [&](const Vector2d& a, const Vector2d& b) {
       const Vector2d middle = 0.5 * (a + b);
@@ -151,7 +149,26 @@ class SpaceTaker {
       });
       return is_own ? LengthOf(a, b) : 0;
     };
-    return TidyPart(Union({room}, by), options_.min_jog_m, weight);
+    return TidyRoom(Union({room}, by), weight, room_idx);
+  }
+
+  // Jogs stay where a wall put in line would run into another room. Empty if it does even so.
+  [[nodiscard]] Polygon2 TidyRoom(const MultiPolygon2& region, const WallWeight& weight,
+                                  std::optional<size_t> own) const {
+    for (const double min_jog_m : {options_.min_jog_m, 0.0}) {
+      Polygon2 room = TidyPart(region, min_jog_m, weight);
+      if (!OverlapsOthers(room, own)) return room;
+    }
+    return {};
+  }
+
+  [[nodiscard]] bool OverlapsOthers(const Polygon2& polygon, std::optional<size_t> own) const {
+    const Box2 bounds = BoundsOf(polygon.outer);
+    for (size_t i = 0; i < rooms_.size(); ++i) {
+      if (i == own || !bounds.intersects(BoundsOf(rooms_[i].outer))) continue;
+      if (Area(Intersection({polygon}, {rooms_[i]})) > kMaxOverlap_m2) return true;
+    }
+    return false;
   }
 
   // Adds the space to the room that is most open to it, or else gets the fewest vertices.
@@ -163,7 +180,7 @@ class SpaceTaker {
     for (const Border& border : borders) {
       if (border.length_m < kThickestWall_m) continue;
       const Polygon2& room = rooms_[border.room];
-      const Polygon2 wider = Widened(room, Difference(reach, Walls(border.room)));
+      const Polygon2 wider = Widened(border.room, Difference(reach, Walls(border.room)));
       if (Area(wider) < Area(room) + 0.5 * kMinSpace_m2) continue;
       const std::tuple<double, double, double> cost{is_cut_off ? -border.open_m : 0.0,
                                                     NumVertices(wider) - NumVertices(room),
