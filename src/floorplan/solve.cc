@@ -14,6 +14,7 @@
 #include "src/floorplan/box_index.h"
 #include "src/floorplan/facade_store.h"
 #include "src/floorplan/join_rooms.h"
+#include "src/floorplan/leaks.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/oblique.h"
 #include "src/floorplan/outline.h"
@@ -98,6 +99,7 @@ class Solver {
     std::erase_if(polygons,
                   [&](const Polygon2& polygon) { return Area(polygon) < options_.min_room_m2; });
     const size_t num_entered = polygons.size();
+    LeaveOutLeaks(field, evidence.cameras, polygons);
     TakeIn(field, polygons);
     AddRooms(field, polygons, heights, samples, storey);
     // Cuts leave walls that nobody saw: what is to be joined is found before and joined after.
@@ -121,6 +123,20 @@ class Solver {
     for (const Polygon2& polygon : polygons)
       AddRoom(field, polygon, heights, samples, options_, storey);
     MeasureThickness(options_.openings.max_wall_m, storey);
+  }
+
+  // Appends the rooms that nobody entered.
+  void LeaveOutLeaks(const LoopField& field, const std::vector<EvidenceCamera>& cameras,
+                     std::vector<Polygon2>& polygons) {
+    const LeakReport leaks = LeaveLeaks(field, options_, cameras, context_, polygons);
+    report_.num_leaks += leaks.num_leaks;
+    report_.num_mirrors += leaks.num_mirrors;
+    report_.leaks_m2 += leaks.leaks_m2;
+    report_.num_set_apart += leaks.num_set_apart;
+    if (leaks.num_leaks == 0) return;
+    context_.log().Info(
+        fmt::format("{:.1f} m² seen through windows or glass doors or in mirrors ({}) are left out",
+                    leaks.leaks_m2, leaks.num_leaks));
   }
 
   void TakeIn(const LoopField& field, std::vector<Polygon2>& polygons) {
@@ -203,6 +219,10 @@ void FloorplanOptions::Visit(OptionVisitor& v) {
   v("min_jog_m", min_jog_m, "Shorter jogs between two walls are straightened.", {0, 1});
   v("min_room_m2", min_room_m2, "Smaller rooms are dropped.", {0, 100});
   v("wall_thickness_m", wall_thickness_m, "Assumed thickness of walls.", {0.01, 2});
+  v("max_neck_m", max_neck_m,
+    "What lies beyond windows, glass doors and mirrors up to this wide is left out if it has no "
+    "walls; 0: it stays.",
+    {0, 10});
   v("unseen_gap_m", unseen_gap_m,
     "Unseen space between walls of rooms up to this far apart lies in the home; 0: none does.",
     {0, 5});

@@ -45,6 +45,12 @@ Polygon2 LargestPart(const MultiPolygon2& region) {
   return largest != region.end() ? *largest : Polygon2{};
 }
 
+int NumVertices(const Polygon2& polygon) {
+  size_t count = 0;
+  for (const Ring2& ring : RingsOf(polygon)) count += ring.size();
+  return static_cast<int>(count);
+}
+
 Polygon2 WithoutCollinear(Polygon2 polygon, double tolerance_m) {
   const auto has_area = [](const Ring2& ring) { return ring.size() >= 3; };
   polygon.outer = RemoveCollinear(polygon.outer, tolerance_m);

@@ -12,6 +12,9 @@ inline constexpr double kMaxOverlap_m2 = 1e-6;
 /// The part of a region with the largest area, the first of equals; empty when there is none.
 [[nodiscard]] Polygon2 LargestPart(const MultiPolygon2& region);
 
+/// Of all rings.
+[[nodiscard]] int NumVertices(const Polygon2& polygon);
+
 /// RemoveCollinear on every ring; rings that have no area go.
 [[nodiscard]] Polygon2 WithoutCollinear(Polygon2 polygon, double tolerance_m);
 

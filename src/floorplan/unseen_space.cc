@@ -9,6 +9,7 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/box_index.h"
+#include "src/floorplan/closet.h"
 #include "src/floorplan/slide.h"
 #include "src/floorplan/sound_polygon.h"
 #include "src/floorplan/wall_band.h"
@@ -18,18 +19,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kThickestWall_m = 0.35;
 constexpr double kMinSpace_m2 = 0.5;
-// A closet that one can step into; shallower space is a cupboard of the room that it opens to.
-constexpr double kClosetDepth_m = 0.7;
-constexpr double kClosetArea_m2 = 0.8;
 constexpr double kOpenSide_m = 0.6;  // as much of a boundary without wall is a way in
 constexpr double kTouch_m = 0.01;
 constexpr double kCollinear_m = 1e-6;
-
-MultiPolygon2 Open(const MultiPolygon2& region, double width_m) {
-  return OffsetSharp(OffsetSharp(region, -0.5 * width_m), 0.5 * width_m);
-}
 
 // The rooms and all that they enclose.
 MultiPolygon2 Enclosed(const MultiPolygon2& rooms, double gap_m, double max_hole_m2) {
@@ -46,12 +39,6 @@ Polygon2 TidyPart(const MultiPolygon2& region, double min_jog_m, const WallWeigh
   Polygon2 part = LargestRoom(region, kCollinear_m);
   StraightenJogs(min_jog_m, weight, part);
   return part;
-}
-
-double NumVertices(const Polygon2& polygon) {
-  size_t count = 0;
-  for (const Ring2& ring : RingsOf(polygon)) count += ring.size();
-  return static_cast<double>(count);
 }
 
 // How far a room borders on a space, and how far without a wall that somebody saw.
@@ -77,8 +64,9 @@ class SpaceTaker {
                          [](const Border& a, const Border& b) { return a.open_m < b.open_m; });
     const bool is_cut_off = most_open->open_m >= kOpenSide_m;
     if (!is_cut_off) {
-      const Polygon2 closet = TidyRoom(
-          Open(Difference({space}, Walls(std::nullopt)), kClosetDepth_m), LengthOf, std::nullopt);
+      const Polygon2 closet =
+          TidyRoom(OpenSharp(Difference({space}, Walls(std::nullopt)), kClosetDepth_m), LengthOf,
+                   std::nullopt);
       if (Area(closet) >= kClosetArea_m2) {
         rooms_.push_back(closet);
         return Area(closet);
@@ -176,15 +164,15 @@ class SpaceTaker {
                     bool is_cut_off) {
     std::optional<size_t> best_room;
     Polygon2 best;
-    std::tuple<double, double, double> best_cost;
+    std::tuple<double, int, double> best_cost;
     for (const Border& border : borders) {
       if (border.length_m < kThickestWall_m) continue;
       const Polygon2& room = rooms_[border.room];
       const Polygon2 wider = Widened(border.room, Difference(reach, Walls(border.room)));
       if (Area(wider) < Area(room) + 0.5 * kMinSpace_m2) continue;
-      const std::tuple<double, double, double> cost{is_cut_off ? -border.open_m : 0.0,
-                                                    NumVertices(wider) - NumVertices(room),
-                                                    -border.length_m};
+      const std::tuple<double, int, double> cost{is_cut_off ? -border.open_m : 0.0,
+                                                 NumVertices(wider) - NumVertices(room),
+                                                 -border.length_m};
       if (best_room && cost >= best_cost) continue;
       best_room = border.room;
       best = wider;
@@ -215,7 +203,7 @@ double TakeInUnseenSpace(const LoopField& field, const FloorplanOptions& options
     seen.insert(seen.end(), filled.begin(), filled.end());
   }
   const MultiPolygon2 home = Enclosed(outlines, options.unseen_gap_m, options.unseen_hole_m2);
-  MultiPolygon2 spaces = Open(Difference(home, seen), kThickestWall_m);
+  MultiPolygon2 spaces = OpenSharp(Difference(home, seen), kThickestWall_m);
   std::erase_if(spaces, [](const Polygon2& space) { return Area(space) < kMinSpace_m2; });
   std::stable_sort(spaces.begin(), spaces.end(),
                    [](const Polygon2& a, const Polygon2& b) { return Area(a) > Area(b); });

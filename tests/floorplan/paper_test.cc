@@ -12,6 +12,7 @@
 #include "enfilade/floorplan/vertex_dial.h"
 #include "enfilade/geometry/boolean.h"
 #include "tests/floorplan/drawn_evidence.h"
+#include "tests/floorplan/solve_drawn.h"
 #include "tests/support/floorplan_checks.h"
 
 namespace enfilade {
@@ -26,22 +27,11 @@ FloorplanOptions Paper(bool use_anchors = true) {
 
 FloorplanReport Solve(const EvidenceGrids& grids, const FloorplanOptions& options = Paper(),
                       int num_threads = 2) {
-  Structure structure;
-  structure.storeys = {{.floor_z = 0, .ceiling_z = 2.4}};
-  RunContext context(num_threads);
-  FloorplanReport report = SolveFloorplan({}, structure, {grids}, options, context);
-  ExpectValidFloorplan(report.plan);
-  return report;
-}
-
-MultiPolygon2 Region(const Floorplan& plan) {
-  MultiPolygon2 region;
-  for (const Room& room : plan.storeys[0].rooms) region.push_back(room.polygon);
-  return region;
+  return SolveDrawn(grids, options, num_threads);
 }
 
 double WrongArea(const Floorplan& plan, const MultiPolygon2& truth) {
-  const MultiPolygon2 region = Region(plan);
+  const MultiPolygon2 region = RoomsOf(plan);
   return Area(Difference(region, truth)) + Area(Difference(truth, region));
 }
 
@@ -253,7 +243,7 @@ TEST(PaperFloorplan, WithoutAnyWallTheCoreIsTheRoom) {
   std::fill(grids.free.data().begin(), grids.free.data().end(), 0.0F);
   const FloorplanReport report = Solve(grids);
   EXPECT_EQ(report.outcome, FloorplanOutcome::kFound);
-  EXPECT_NEAR(Area(Region(report.plan)), 3.8 * 2.8, 0.1);
+  EXPECT_NEAR(Area(RoomsOf(report.plan)), 3.8 * 2.8, 0.1);
 }
 
 TEST(PaperFloorplan, CellsThatAreNoNumbersCountAsNone) {
@@ -277,21 +267,21 @@ TEST(PaperFloorplan, ACoreAtTheBorderOfTheGridHasALoop) {
   grids.num_cores = 1;
   const FloorplanReport report = Solve(grids);
   EXPECT_EQ(report.outcome, FloorplanOutcome::kFound);
-  EXPECT_NEAR(Area(Region(report.plan)), 2, 0.2);
+  EXPECT_NEAR(Area(RoomsOf(report.plan)), 2, 0.2);
 }
 
 TEST(PaperFloorplan, TheSamePlanForAnyNumberOfThreads) {
   const MultiPolygon2 truth = {Box(0, 0, 3, 4), Box(3.1, 0, 6, 4), Box(0, 4.1, 6, 6)};
   const EvidenceGrids grids = DrawCounts(truth, {{1, 1}, {5, 1}, {3, 5}});
-  const MultiPolygon2 one = Region(Solve(grids, Paper(), 1).plan);
-  const MultiPolygon2 three = Region(Solve(grids, Paper(), 3).plan);
+  const MultiPolygon2 one = RoomsOf(Solve(grids, Paper(), 1).plan);
+  const MultiPolygon2 three = RoomsOf(Solve(grids, Paper(), 3).plan);
   ASSERT_EQ(one.size(), three.size());
   for (size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].outer, three[i].outer);
 }
 
 TEST(PaperFloorplan, ShiftedAndTurnedEvidenceGivesAShiftedAndTurnedPlan) {
   EvidenceGrids grids = CountsOfAlcove();
-  const double here = Area(Region(Solve(grids).plan));
+  const double here = Area(RoomsOf(Solve(grids).plan));
   EvidenceGrids turned = grids;
   std::swap(turned.frame.rows, turned.frame.cols);
   const auto turn = [&](auto& image) {
@@ -312,7 +302,7 @@ TEST(PaperFloorplan, ShiftedAndTurnedEvidenceGivesAShiftedAndTurnedPlan) {
     camera.position = grids.frame.origin + Eigen::Vector2d(width - p.y(), p.x());
   }
   const FloorplanReport report = Solve(turned);
-  EXPECT_NEAR(Area(Region(report.plan)), here, 0.15);
+  EXPECT_NEAR(Area(RoomsOf(report.plan)), here, 0.15);
   EXPECT_EQ(report.plan.storeys[0].walls.size(), 8u);
 }
 

@@ -52,6 +52,7 @@ struct FloorplanOptions {
   double min_room_m2 = 0.25;
   double wall_thickness_m = 0.12;
 
+  double max_neck_m = 2.5;
   double unseen_gap_m = 1.6;
   double unseen_hole_m2 = 4;
 
@@ -73,8 +74,12 @@ struct FloorplanReport {
   int num_inner_loops = 0;  ///< holes: pillars and free-standing walls
   int num_inner_walls = 0;  ///< walls that run into a room from its outline
   int num_slid_segments = 0;
-  int num_joined = 0;              ///< rooms joined across walls that nobody saw
-  double unseen_m2 = 0;            ///< space between rooms that was taken in though nobody saw it
+  int num_joined = 0;     ///< rooms joined across walls that nobody saw
+  int num_leaks = 0;      ///< windows, glass doors and mirrors beyond which something was left out
+  int num_mirrors = 0;    ///< of them
+  double leaks_m2 = 0;    ///< what was left out there
+  int num_set_apart = 0;  ///< rooms that were seen only through their doors
+  double unseen_m2 = 0;   ///< space between rooms that was taken in though nobody saw it
   int64_t num_settled = 0;         ///< states that the loop solver visited
   Floorplan plan;                  ///< empty storeys where nothing was found
   std::vector<PaperStorey> paper;  ///< FloorplanMode::kPaper: how the plan came about, by storey
