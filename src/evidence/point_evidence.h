@@ -8,14 +8,6 @@
 
 namespace enfilade {
 
-/// What a point is, from its height and normal (Cabral & Furukawa 2014, supplement).
-enum class PointLabel { kFloor, kCeiling, kWall, kClutter, kOutside };
-
-/// Floor and ceiling: within 0.3 m of the height, normal within 15° of vertical. Wall: between the
-/// heights, normal within 15° of horizontal, or no normal and more than 0.3 m from both. Outside:
-/// below the floor or above the ceiling by more than 0.3 m.
-[[nodiscard]] PointLabel LabelOfPoint(const ScenePoint& point, double floor_z, double ceiling_z);
-
 /// Numbers of wall points in, and of rays camera → point across, each cell.
 struct PointCounts {
   ImageF wall;
@@ -24,8 +16,9 @@ struct PointCounts {
   int64_t num_ray_points = 0;
 };
 
-/// Counts all points but those outside; a ray stops ray_margin_m short of its point. Checks that
-/// every view_idx has a camera position.
+/// Counts the points that are at the storey: wall points, and the rays to all, to those on the
+/// floor up to their foot. A ray stops ray_margin_m short of its point. Checks that every view_idx
+/// has a camera position.
 [[nodiscard]] PointCounts CountPoints(const GridFrame& frame, const EvidencePoints& points,
                                       double ray_margin_m, double max_range_m);
 

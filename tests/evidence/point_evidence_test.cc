@@ -17,24 +17,6 @@ ScenePoint PointAt(double x, double y, double z, const Eigen::Vector3d& normal) 
   return point;
 }
 
-PointLabel Label(double z, const Eigen::Vector3d& normal) {
-  return LabelOfPoint(PointAt(0, 0, z, normal.normalized()), 0, 2.5);
-}
-
-TEST(LabelOfPoint, ByHeightAndNormal) {
-  EXPECT_EQ(Label(0.05, {0, 0, 1}), PointLabel::kFloor);
-  EXPECT_EQ(Label(0.05, {0, 0, -1}), PointLabel::kClutter);
-  EXPECT_EQ(Label(0.8, {0, 0, 1}), PointLabel::kClutter);  // a table
-  EXPECT_EQ(Label(2.4, {0.1, 0, -1}), PointLabel::kCeiling);
-  EXPECT_EQ(Label(1.2, {1, 0, 0.2}), PointLabel::kWall);
-  EXPECT_EQ(Label(1.2, {1, 0, 0.4}), PointLabel::kClutter);
-  EXPECT_EQ(Label(0.05, {1, 0, 0}), PointLabel::kWall);  // a baseboard: the normal decides
-  EXPECT_EQ(Label(-0.6, {0, 0, 1}), PointLabel::kOutside);
-  EXPECT_EQ(LabelOfPoint(PointAt(0, 0, 1.2, {0, 0, 0}), 0, 2.5), PointLabel::kWall);
-  EXPECT_EQ(LabelOfPoint(PointAt(0, 0, 0.1, {0, 0, 0}), 0, 2.5), PointLabel::kFloor);
-  EXPECT_EQ(LabelOfPoint(PointAt(0, 0, NAN, {0, 0, 0}), 0, 2.5), PointLabel::kOutside);
-}
-
 TEST(CountPoints, RaysStopShortOfThePoint) {
   GridFrame frame;
   frame.cell_m = 0.1;
