@@ -35,16 +35,6 @@ bool IsFolder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-bool HasColmapModel(const fs::path& folder) {
-  for (const char* extension : {".bin", ".txt"}) {
-    const auto has = [&](const char* stem) {
-      return Exists(folder / (std::string(stem) + extension));
-    };
-    if (has("cameras") && has("images")) return true;
-  }
-  return false;
-}
-
 PoseFile ReadFormat(const PoseLocation& location, double camera_height_m) {
   switch (location.source) {
     case PoseSource::kTransforms:
@@ -122,6 +112,16 @@ void Scale(PoseFile& poses, double factor) {
 }
 
 }  // namespace
+
+bool HasColmapModel(const fs::path& folder) {
+  for (const char* extension : {".bin", ".txt"}) {
+    const auto has = [&](const char* stem) {
+      return Exists(folder / (std::string(stem) + extension));
+    };
+    if (has("cameras") && has("images")) return true;
+  }
+  return false;
+}
 
 std::optional<PoseLocation> FindPoses(const fs::path& folder) {
   if (Exists(folder / "transforms.json")) {

@@ -50,6 +50,9 @@ struct PoseLocation {
 /// within 10 km of each other, no name twice.
 [[nodiscard]] PoseFile ReadPoseFile(const PoseLocation& location, double camera_height_m);
 
+/// True when cameras and images of a COLMAP model lie in the folder, binary or text.
+[[nodiscard]] bool HasColmapModel(const std::filesystem::path& folder);
+
 // The formats.
 [[nodiscard]] PoseFile ReadTransforms(const std::filesystem::path& path);
 [[nodiscard]] PoseFile ReadColmapModel(const std::filesystem::path& folder);

@@ -11,6 +11,9 @@
 
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/ground_truth_reader.h"
+#include "enfilade/exchange/ply_writer.h"
+#include "enfilade/exchange/point_cloud_reader.h"
+#include "enfilade/exchange/point_cloud_writer.h"
 #include "enfilade/exchange/scene_json.h"
 #include "tests/exchange/posed_folder.h"
 
@@ -160,6 +163,41 @@ TEST_F(ReaderMutationTest, SceneJson) {
   scene.points.push_back({{1, 2, 3}, {0, 0, 1}, {1, 2, 3}, {0}});
   WriteSceneJson(folder / "scene.json", scene);
   ExpectReadOrRefused(folder / "scene.json", [&] { (void)ReadSceneJson(folder / "scene.json"); });
+}
+
+std::vector<ScenePoint> TwoPoints() {
+  std::vector<ScenePoint> points(2);
+  for (ScenePoint& point : points) point.normal = {0, 0, 1};
+  points[0].position = {1, 2.5, -3};
+  points[0].view_idx = {0};
+  points[1].view_idx = {0, 1};
+  return points;
+}
+
+TEST_F(ReaderMutationTest, AsciiPly) {
+  Overwrite(folder / "x.ply",
+            "ply\nformat ascii 1.0\nelement a 1\nproperty list uchar int b\nelement vertex 2\n"
+            "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty "
+            "float ny\nproperty float nz\nend_header\n2 3 4\n1 2 3 0 0 1\n4 5 6 1 0 0\n");
+  ExpectReadOrRefused(folder / "x.ply", [&] { (void)ReadPointCloud(folder / "x.ply", ""); });
+}
+
+TEST_F(ReaderMutationTest, FusedPlyAndItsVisibility) {
+  const fs::path ply = folder / "x.ply", vis = folder / "x.ply.vis", list = folder / "list.txt";
+  WritePointsPly(ply, TwoPoints());
+  WriteVisibility(vis, TwoPoints());
+  Overwrite(list, "a.png\nb.png\n");
+  const std::string whole = ReadFile(ply);
+  const auto read = [&] { (void)ReadPointCloud(ply, list); };
+  ExpectReadOrRefused(ply, read);
+  Overwrite(ply, whole);
+  ExpectReadOrRefused(vis, read);
+}
+
+TEST_F(ReaderMutationTest, Patches) {
+  WritePatches(folder / "x.patch", TwoPoints());
+  Overwrite(folder / "list.txt", "a.png\nb.png\n");
+  ExpectReadOrRefused(folder / "x.patch", [&] { (void)ReadPointCloud(folder / "x.patch", ""); });
 }
 
 }  // namespace
