@@ -25,7 +25,9 @@
 #include "enfilade/image/codec.h"
 #include "enfilade/scene/camera.h"
 #include "enfilade/synthetic/film.h"
+#include "enfilade/synthetic/fixture_points.h"
 #include "enfilade/synthetic/truth.h"
+#include "enfilade/synthetic/write_cloud.h"
 
 namespace enfilade {
 namespace {
@@ -123,6 +125,7 @@ void RemoveFile(const fs::path& path) {
 void RemoveOldHome(const fs::path& folder, const std::vector<Picture>& pictures) {
   for (const char* name : {"transforms.json", "video.avi", "truth/frames.csv"})
     RemoveFile(folder / name);
+  RemoveClouds(folder);
   if (!fs::exists(folder / "panos")) return;
   std::set<std::string> kept;
   for (const Picture& picture : pictures) kept.insert(picture.name);
@@ -261,6 +264,9 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
   ValidateOptions(VisitorOf(checked), "synthetic home");
   CheckWidth(options.width, context);
   const bool is_video = options.kind == PictureKind::kVideo;
+  if (options.has_points && options.kind != PictureKind::kEquirectangular) {
+    throw InvalidInputError("has_points", "is for panoramas", "give the kind equirectangular");
+  }
   const Home shot = is_video ? FilmWalk(home, options.frames_per_second) : home;
   const Shoot shoot{folder, shot, options, ListPictures(shot, options)};
   CreateFolder(folder / "truth");  // first: it marks what may be replaced, even if this is killed
@@ -268,6 +274,11 @@ void WriteHome(const fs::path& folder, const Home& home, const WriteHomeOptions&
   RemoveOldHome(folder, is_video ? std::vector<Picture>() : shoot.pictures);
 
   const HomeRenderer renderer(shot, options.render, context);
+  if (options.has_points) {
+    PointNoise noise;
+    noise.seed = home.seed;
+    WriteClouds(folder, home, FixturePoints(home, noise));
+  }
   Floorplan truth = TruthFloorplan(shot);
   truth.cameras.clear();
   if (is_video) {

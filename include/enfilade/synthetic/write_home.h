@@ -24,6 +24,7 @@ struct WriteHomeOptions {
   double frames_per_second = 10;
   int jpeg_quality = 92;
   bool has_pixel_truth = false;
+  bool has_points = false;
   RenderOptions render;
 
   void Visit(OptionVisitor& v) {
@@ -40,6 +41,9 @@ struct WriteHomeOptions {
     v("jpeg_quality", jpeg_quality, "Quality of the pictures.", {1, 100});
     v("has_pixel_truth", has_pixel_truth,
       "Also write depth, normals, labels, rooms and walls per pixel below truth/.");
+    v("has_points", has_points,
+      "Also write the points that multi-view stereo would find below dense/ and pmvs/; for "
+      "panoramas.");
     v("render", render, "How the pictures are made.");
   }
 };
@@ -63,11 +67,14 @@ struct WriteHomeOptions {
 ///   truth/labels/*.png       8 bit: 0 other, 1 floor, 2 wall, 3 ceiling
 ///   truth/rooms/*.npy        int16, H × W: room id, −1 for none; truth/walls likewise: wall id
 ///
+/// and with `has_points` the files of WriteClouds, with the points of FixturePoints for the home's
+/// seed.
+///
 /// A home that is there is replaced: transforms.json or video.avi goes first and comes last, so a
 /// folder that has it is whole. Same home and options, same bytes. Throws InvalidInputError for
-/// options out of range, for a video of a home that is no walk or whose cameras lean, and for
-/// pictures that take more memory than the context's cap (24 bytes a pixel for the colours and as
-/// much for the picture and its truth), and IoError.
+/// options out of range, for a video of a home that is no walk or whose cameras lean, for points
+/// without panoramas, and for pictures that take more memory than the context's cap (24 bytes a
+/// pixel for the colours and as much for the picture and its truth), and IoError.
 void WriteHome(const std::filesystem::path& folder, const Home& home,
                const WriteHomeOptions& options, RunContext& context);
 
