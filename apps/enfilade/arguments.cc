@@ -66,6 +66,16 @@ void OptionArguments::Apply(const VisitFunction& options) const {
   for (const auto& [path, value] : settings_) SetOption(options, path, value, "command line");
 }
 
+void RegisterCloudAliases(CLI::App& parser, OptionArguments& options) {
+  options.RegisterAlias(parser, "--points", "points.file",
+                        "Dense cloud in the world of the poses: PLY (and .vis), .patch or .pset");
+  options.RegisterAlias(parser, "--points-images", "points.images",
+                        "Images that the cloud counts: COLMAP folder or list of pictures");
+  options.RegisterAlias(parser, "--points-up", "points.up", "Axis of the cloud that points up");
+  options.RegisterAlias(parser, "--points-scale", "points.scale",
+                        "Length of the cloud's unit in that of the poses");
+}
+
 Session::Session(const CommonArguments& arguments)
     : context_(arguments.num_threads, static_cast<uint64_t>(arguments.seed),
                arguments.max_memory_mb),

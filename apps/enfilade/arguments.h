@@ -56,6 +56,9 @@ class OptionArguments {
   std::vector<std::pair<std::string, std::string>> settings_;
 };
 
+/// Registers --points and what belongs to it.
+void RegisterCloudAliases(CLI::App& parser, OptionArguments& options);
+
 /// Context, console and signal handling of one command.
 class Session {
  public:

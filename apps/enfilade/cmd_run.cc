@@ -39,6 +39,7 @@ Action SetupFromPictures(CLI::App& parser, const std::string& last_stage,
                                   "Pictures without poses are the frames of a film, by name");
   arguments->options.RegisterAlias(parser, "--mask", "sfm.mask",
                                    "Picture (or folder of them) that is 0 where to ignore");
+  if (groups.empty()) RegisterCloudAliases(parser, arguments->options);
   return [arguments, last_stage] {
     PipelineOptions options;
     arguments->options.Apply(VisitorOf(options));

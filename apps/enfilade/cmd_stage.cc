@@ -23,6 +23,7 @@ Action SetupStage(CLI::App& parser, const std::string& stage) {
   arguments->common.Register(parser);
   PipelineOptions defaults;
   arguments->options.Register(parser, VisitorOf(defaults), {stage});
+  if (stage == "points") RegisterCloudAliases(parser, arguments->options);
   return [arguments, stage] {
     PipelineOptions options;
     arguments->options.Apply(VisitorOf(options));
@@ -35,6 +36,7 @@ Action SetupStage(CLI::App& parser, const std::string& stage) {
 
 }  // namespace
 
+Action SetupPoints(CLI::App& parser) { return SetupStage(parser, "points"); }
 Action SetupStructure(CLI::App& parser) { return SetupStage(parser, "structure"); }
 Action SetupEvidence(CLI::App& parser) { return SetupStage(parser, "evidence"); }
 Action SetupModel(CLI::App& parser) { return SetupStage(parser, "model"); }

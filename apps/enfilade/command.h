@@ -32,6 +32,7 @@ struct Command {
 
 Action SetupRun(CLI::App& parser);
 Action SetupSfm(CLI::App& parser);
+Action SetupPoints(CLI::App& parser);
 Action SetupStructure(CLI::App& parser);
 Action SetupEvidence(CLI::App& parser);
 Action SetupFloorplan(CLI::App& parser);

@@ -11,6 +11,7 @@ std::span<const Command> Commands() {
       Command{"run", "Do everything: from pictures to plan and model; continue where it was",
               SetupRun},
       Command{"sfm", "Read pictures and poses into a scene", SetupSfm},
+      Command{"points", "Take a dense cloud of points that was made elsewhere", SetupPoints},
       Command{"structure", "Find directions, heights and wall profiles", SetupStructure},
       Command{"evidence", "Gather wall and free-space evidence", SetupEvidence},
       Command{"floorplan", "Draw the rooms", SetupFloorplan},

@@ -24,7 +24,6 @@
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/obj_reader.h"
 #include "enfilade/exchange/plan_svg.h"
-#include "enfilade/exchange/scene_json.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/pipeline/draw_plan.h"
 #include "enfilade/pipeline/label_file.h"
@@ -82,7 +81,7 @@ Results LoadResults(const Workspace& workspace, const Manifest& manifest) {
                             "run 'enfilade run' first");
   }
   Results results;
-  results.scene = ReadSceneJson(workspace.scene_file());
+  results.scene = ReadSceneOf(workspace);
   if (is_done("structure")) results.structure = ReadStructure(workspace.structure_folder());
   if (is_done("floorplan")) results.floorplan = ReadFloorplanJson(workspace.floorplan_file());
   if (is_done("model")) results.model = ReadObj(workspace.model_obj_file());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "enfilade/base/file.h"
+#include "enfilade/base/hash.h"
 #include "enfilade/base/json.h"
 #include "enfilade/exchange/colmap_writer.h"
 #include "enfilade/exchange/connection_report.h"
@@ -17,12 +18,14 @@
 #include "enfilade/exchange/obj_writer.h"
 #include "enfilade/exchange/plan_svg.h"
 #include "enfilade/exchange/ply_writer.h"
+#include "enfilade/exchange/point_cloud_reader.h"
 #include "enfilade/exchange/scene_json.h"
 #include "enfilade/exchange/transforms_writer.h"
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/model/extrude.h"
 #include "enfilade/model/texture.h"
+#include "enfilade/pipeline/cloud.h"
 #include "enfilade/pipeline/draw_plan.h"
 #include "enfilade/pipeline/evidence_file.h"
 #include "enfilade/pipeline/gather_evidence.h"
@@ -154,6 +157,23 @@ void WriteLabels(const Workspace& workspace, const Scene& scene,
   });
 }
 
+StageResult TakeCloud(const Workspace& workspace, const PipelineOptions& options,
+                      RunContext& context) {
+  if (options.points.file.empty()) return {};
+  const Scene scene = ReadSceneJson(workspace.scene_file());
+  WriteCloudFile(workspace.cloud_file(), ReadCloud(options.points, scene, context));
+  return {};
+}
+
+// Of the files that hold the cloud: their paths are options, but what they hold counts.
+std::string CloudHash(const CloudOptions& options) {
+  if (options.file.empty()) return "";
+  std::string hashes;
+  for (const std::filesystem::path& path : FilesOfCloud(options.file, options.images))
+    hashes += Sha256OfFile(path);
+  return Sha256(hashes);
+}
+
 StageResult FindStructure(const Workspace& workspace, const PipelineOptions& options,
                           RunContext& context) {
   const Scene scene = ReadSceneWithPictures(workspace);
@@ -165,7 +185,7 @@ StageResult FindStructure(const Workspace& workspace, const PipelineOptions& opt
 
 StageResult GatherEvidence(const Workspace& workspace, const PipelineOptions& options,
                            RunContext& context) {
-  const Scene scene = ReadSceneJson(workspace.scene_file());
+  const Scene scene = ReadSceneOf(workspace);
   const Structure structure = ReadStructure(workspace.structure_folder());
   const GatheredEvidence gathered =
       EvidenceOf(scene, structure, options.evidence, EvidenceMode::kLogOdds, context);
@@ -183,6 +203,7 @@ Json Provenance(const Workspace& workspace) {
   Json json = OptionsToJson(VisitorOf(options));
   for (const char* later_stage : {"model", "export"}) json.erase(later_stage);
   for (const char* path : {"poses", "mask"}) json["sfm"].erase(path);
+  for (const char* path : {"file", "images"}) json["points"].erase(path);
   return {{"version", Version()}, {"seed", manifest.seed}, {"options", std::move(json)}};
 }
 
@@ -219,8 +240,7 @@ StageResult ExportPlan(const Workspace& workspace, const PipelineOptions& option
 FloorplanExplanation SolveFromFiles(const Workspace& workspace, const FloorplanOptions& options,
                                     RunContext& context) {
   const bool is_paper = options.mode == FloorplanMode::kPaper;
-  const Scene scene =
-      is_paper ? ReadSceneJson(workspace.scene_file()) : ReadSceneWithPictures(workspace);
+  const Scene scene = is_paper ? ReadSceneOf(workspace) : ReadSceneWithPictures(workspace);
   const Structure structure = ReadStructure(workspace.structure_folder());
   FloorplanExplanation solved;
   if (is_paper) {
@@ -262,6 +282,11 @@ std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
        scene != nullptr ? SceneHash(*scene) : "",
        store_scene,
        true},
+      {"points",
+       {"cloud.bin"},
+       VisitorOf(options.points),
+       CloudHash(options.points),
+       run(TakeCloud)},
       {"structure", {"structure"}, VisitorOf(options.structure), "", run(FindStructure)},
       {"evidence", {"evidence"}, VisitorOf(options.evidence), "", run(GatherEvidence)},
       {"floorplan", {"floorplan.json"}, VisitorOf(options.floorplan), "", run(DrawFloorplan)},
@@ -275,8 +300,8 @@ std::vector<Stage> MakeStages(const Workspace& workspace, const Scene* scene,
 }
 
 std::span<const std::string_view> StageNames() {
-  static constexpr std::array<std::string_view, 6> kNames = {"sfm",       "structure", "evidence",
-                                                             "floorplan", "model",     "export"};
+  static constexpr std::array<std::string_view, 7> kNames = {
+      "sfm", "points", "structure", "evidence", "floorplan", "model", "export"};
   return kNames;
 }
 

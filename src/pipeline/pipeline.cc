@@ -14,6 +14,7 @@
 #include "enfilade/exchange/scene_json.h"
 #include "enfilade/exchange/scene_reader.h"
 #include "enfilade/floorplan/vertex_dial.h"
+#include "enfilade/pipeline/cloud.h"
 #include "enfilade/pipeline/memory_need.h"
 #include "src/pipeline/flow.h"
 
@@ -73,8 +74,16 @@ PipelineOptions OptionsOf(const Manifest& manifest) {
   return options;
 }
 
-Scene ReadSceneWithPictures(const Workspace& workspace) {
+Scene ReadSceneOf(const Workspace& workspace) {
   Scene scene = ReadSceneJson(workspace.scene_file());
+  if (fs::exists(workspace.cloud_file())) {
+    scene.points = ReadCloudFile(workspace.cloud_file(), scene.views.size());
+  }
+  return scene;
+}
+
+Scene ReadSceneWithPictures(const Workspace& workspace) {
+  Scene scene = ReadSceneOf(workspace);
   for (const View& view : scene.views) {
     if (Sha256OfFile(view.path) != view.sha256) {
       throw InvalidInputError(view.path.native(), "has changed since it was read",
@@ -95,6 +104,9 @@ StageResult RunPipeline(const fs::path& input, const Workspace& workspace,
                 context);
   if (num_stages > 1) RequireMemory(read.scene, context);
 
+  PipelineOptions stage_options = options;
+  const std::vector<Stage> stages = MakeStages(workspace, &read.scene, stage_options);
+
   const WorkspaceLock lock(workspace, WorkspaceUse::kCreate);
   Manifest manifest = ReadManifestIfAny(workspace);
   DescribeRun(context, manifest);
@@ -102,8 +114,6 @@ StageResult RunPipeline(const fs::path& input, const Workspace& workspace,
   manifest.pictures.clear();
   for (const View& view : read.scene.views) manifest.pictures[view.picture] = view.sha256;
 
-  PipelineOptions stage_options = options;
-  const std::vector<Stage> stages = MakeStages(workspace, &read.scene, stage_options);
   return RunStages(workspace, std::span(stages).first(num_stages), "",
                    FilesFrom(stages, num_stages), Rerun::kWhenNeeded, manifest, context);
 }
@@ -116,7 +126,10 @@ StageResult RunSingleStage(const Workspace& workspace, const PipelineOptions& op
   Manifest manifest = ReadManifest(workspace.manifest_file());
   DescribeRun(context, manifest);
 
-  const std::string before(StageNames()[stage_idx - 1]);
+  // Who gives no cloud need not say so: that stage is made up for.
+  const bool has_no_cloud = StageNames()[stage_idx - 1] == "points" && !manifest.Find("points");
+  const size_t first_idx = has_no_cloud ? stage_idx - 1 : stage_idx;
+  const std::string before(StageNames()[first_idx - 1]);
   if (!IsStageDone(manifest, before)) {
     throw InvalidInputError(workspace.root().native(), "stage '" + before + "' has no result there",
                             "run it first, or 'enfilade run'");
@@ -124,8 +137,8 @@ StageResult RunSingleStage(const Workspace& workspace, const PipelineOptions& op
   const std::string key_before = manifest.Find(before)->key;
   PipelineOptions stage_options = options;
   const std::vector<Stage> stages = MakeStages(workspace, nullptr, stage_options);
-  return RunStages(workspace, std::span(stages).subspan(stage_idx, 1), key_before,
-                   FilesFrom(stages, stage_idx + 1), Rerun::kAlways, manifest, context);
+  return RunStages(workspace, std::span(stages).subspan(first_idx, stage_idx + 1 - first_idx),
+                   key_before, FilesFrom(stages, stage_idx + 1), Rerun::kAlways, manifest, context);
 }
 
 StageResult RedrawWithVertices(const Workspace& workspace, int num_vertices, RunContext& context) {
@@ -135,6 +148,7 @@ StageResult RedrawWithVertices(const Workspace& workspace, int num_vertices, Run
   const std::string where = workspace.floorplan_file().native();
   const Floorplan standing = ReadFloorplanJson(workspace.floorplan_file());
   PipelineOptions options = OptionsOf(manifest);
+  options.points = {};  // its stage is not run, and its files may be gone
   options.floorplan.vertices = num_vertices;
   const std::optional<Floorplan> plan =
       PlanWithVertices(standing, num_vertices, options.floorplan.openings.max_wall_m);

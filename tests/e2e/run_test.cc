@@ -131,7 +131,7 @@ TEST_F(Run, WritesWhatTheProtocolNames) {
     EXPECT_TRUE(fs::exists(reference() / name)) << name;
   }
   const nlohmann::json manifest = ReadJsonFile(reference() / "manifest.json");
-  ASSERT_EQ(manifest.at("stages").size(), 6u);
+  ASSERT_EQ(manifest.at("stages").size(), 7u);
   for (const nlohmann::json& stage : manifest.at("stages")) {
     EXPECT_EQ(stage.at("outcome"), "done");
     EXPECT_GT(stage.at("peak_memory_mb").get<double>(), 10);

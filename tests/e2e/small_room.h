@@ -6,7 +6,8 @@
 
 namespace enfilade {
 
-/// A made home of one room with a window and three panoramas of 256 x 128 pixels, quickly rendered.
-void WriteSmallRoom(const std::filesystem::path& folder);
+/// A made home of one room with a window and three panoramas of 256 x 128 pixels, quickly rendered,
+/// on request with the clouds of WriteClouds.
+void WriteSmallRoom(const std::filesystem::path& folder, bool has_points = false);
 
 }  // namespace enfilade

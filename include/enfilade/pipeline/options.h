@@ -9,6 +9,7 @@
 #include "enfilade/exchange/scene_reader.h"
 #include "enfilade/floorplan/solve.h"
 #include "enfilade/model/texture.h"
+#include "enfilade/pipeline/cloud.h"
 #include "enfilade/sfm/place_panoramas.h"
 #include "enfilade/structure/analyze.h"
 
@@ -44,6 +45,7 @@ struct ExportOptions {
 /// what --STAGE.NAME on the command line sets, and what the reference page lists.
 struct PipelineOptions {
   SfmOptions sfm;
+  CloudOptions points;
   StructureOptions structure;
   EvidenceOptions evidence;
   FloorplanOptions floorplan;
@@ -52,6 +54,7 @@ struct PipelineOptions {
 
   void Visit(OptionVisitor& v) {
     v("sfm", sfm, "Pictures and poses.");
+    v("points", points, "A dense cloud of points.");
     v("structure", structure, "Directions, heights and wall profiles.");
     v("evidence", evidence, "Grids and core free space.");
     v("floorplan", floorplan, "Rooms and walls.");

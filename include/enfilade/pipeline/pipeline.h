@@ -18,12 +18,16 @@
 
 namespace enfilade {
 
-/// The stages in flow order: sfm, structure, evidence, floorplan, model, export.
+/// The stages in flow order: sfm, points, structure, evidence, floorplan, model, export.
 [[nodiscard]] std::span<const std::string_view> StageNames();
 
 /// The options that the stages in a manifest ran with; defaults for stages that did not. Throws
 /// InvalidInputError when the manifest holds an option that this version lacks.
 [[nodiscard]] PipelineOptions OptionsOf(const Manifest& manifest);
+
+/// The scene of a result folder. The dense cloud, where one was given, stands in place of the
+/// points that registration found. Throws IoError, InvalidInputError.
+[[nodiscard]] Scene ReadSceneOf(const Workspace& workspace);
 
 /// The scene of a result folder for something that looks at its pictures. Throws IoError, and
 /// InvalidInputError when one of them is no longer what sfm saw.
@@ -39,7 +43,8 @@ namespace enfilade {
                                       std::string_view last_stage, RunContext& context);
 
 /// One stage after sfm again, from what the earlier ones left in `workspace`. Removes the results
-/// of later stages. Throws InvalidInputError when the stage before has no result there.
+/// of later stages. The stage points need not have run before structure. Throws InvalidInputError
+/// when the stage before has no result there.
 [[nodiscard]] StageResult RunSingleStage(const Workspace& workspace, const PipelineOptions& options,
                                          std::string_view stage, RunContext& context);
 

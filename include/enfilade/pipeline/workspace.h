@@ -25,6 +25,8 @@ class Workspace {
   /// Poses and points for other programs.
   [[nodiscard]] std::filesystem::path sparse_folder() const { return root_ / "sparse"; }
   [[nodiscard]] std::filesystem::path points_file() const { return root_ / "points.ply"; }
+  /// The dense cloud that was given, in the world of the scene.
+  [[nodiscard]] std::filesystem::path cloud_file() const { return root_ / "cloud.bin"; }
   [[nodiscard]] std::filesystem::path structure_folder() const { return root_ / "structure"; }
   [[nodiscard]] std::filesystem::path evidence_folder() const { return root_ / "evidence"; }
   [[nodiscard]] std::filesystem::path floorplan_file() const { return root_ / "floorplan.json"; }
