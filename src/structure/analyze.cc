@@ -14,6 +14,7 @@
 #include "enfilade/base/errors.h"
 #include "enfilade/evidence/accumulate.h"
 #include "enfilade/evidence/core.h"
+#include "enfilade/evidence/point_labels.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/structure/level_panorama.h"
@@ -467,6 +468,7 @@ class StoreySolver {
             ClearDistances(evidence, work.position.head<2>(), view.superpixels.label.cols());
       }
     }
+    AddSeenPoints(views);
     std::vector<Classification> results = ClassifyPanoramas(views, options_.classify, context_);
     TellOfSeeds(results);
     ParallelFor(context_, "label scores", static_cast<int64_t>(works_.size()), [&](int64_t i) {
@@ -479,6 +481,25 @@ class StoreySolver {
                 options_.label_weight, work.labels);
       DropUnusedFamilies(work.labels);
     });
+  }
+
+  // Every point with the panoramas that see it, labelled by the heights that these have found.
+  void AddSeenPoints(std::vector<ClassifyView>& views) const {
+    std::vector<int> work_of_view(scene_.views.size(), -1);
+    for (size_t i = 0; i < members_.size(); ++i)
+      work_of_view[static_cast<size_t>(members_[i])] = static_cast<int>(i);
+    for (const ScenePoint& point : scene_.points) {
+      const Vector3d position = home_from_world_ * point.position;
+      for (const int v : point.view_idx) {
+        if (work_of_view[static_cast<size_t>(v)] < 0) continue;
+        const auto i = static_cast<size_t>(work_of_view[static_cast<size_t>(v)]);
+        // The home is the world turned about z: heights and slopes are the same.
+        const SurfaceLabel label = LabelOfPoint(point, floor_.floor_z, works_[i].ceiling.ceiling_z);
+        if (label == SurfaceLabel::kOther) continue;
+        const Vector3d ray = position - works_[i].position;
+        views[i].points.push_back({ray.normalized().cast<float>(), label});
+      }
+    }
   }
 
   void TellOfSeeds(const std::vector<Classification>& results) const {

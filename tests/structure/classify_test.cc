@@ -225,7 +225,7 @@ TEST(MapsInCamera, AreWhatTheCameraSaw) {
 TEST(ClearDistances, EndWhereCoreDoes) {
   EvidenceGrids evidence;
   evidence.frame = {{-1, -1}, 0.1, 30, 40};
-  evidence.core = ImageU8(30, 40);
+  evidence.core = CoreImage(30, 40);
   for (int r = 5; r < 25; ++r) {
     for (int c = 5; c < 35; ++c) evidence.core(r, c) = 1;  // x −0.5 … 2.5, y −0.5 … 1.5
   }
