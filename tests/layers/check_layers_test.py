@@ -63,8 +63,8 @@ class CheckLayersTest(unittest.TestCase):
         self.expect_problem("include/enfilade/image/image.h:", "image may not include floorplan")
 
     def test_include_of_an_earlier_module_that_is_not_listed(self):
-        self.add_line("src/image/codec.cc", '#include "enfilade/geometry/angles.h"')
-        self.expect_problem("src/image/codec.cc:", "image may not include geometry")
+        self.add_line("src/optim/grid_cut.cc", '#include "enfilade/geometry/angles.h"')
+        self.expect_problem("src/optim/grid_cut.cc:", "optim may not include geometry")
 
     def test_use_of_a_later_module(self):
         self.use("geometry", "scene")
