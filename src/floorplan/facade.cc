@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "enfilade/image/sampling.h"
-#include "enfilade/scene/panorama_rays.h"
+#include "enfilade/scene/locate_rays.h"
 
 namespace enfilade {
 namespace {

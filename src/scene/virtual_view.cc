@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "enfilade/base/check.h"
-#include "enfilade/scene/panorama_rays.h"
+#include "enfilade/scene/locate_rays.h"
 
 namespace enfilade {
 namespace {

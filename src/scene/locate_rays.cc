@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "enfilade/scene/panorama_rays.h"
+#include "enfilade/scene/locate_rays.h"
 
 #include <algorithm>
 #include <cmath>
