@@ -17,6 +17,7 @@
 #include "enfilade/evaluate/report.h"
 #include "enfilade/exchange/floorplan_json.h"
 #include "enfilade/exchange/plan_svg.h"
+#include "enfilade/pipeline/draw_plan.h"
 #include "enfilade/pipeline/evidence_file.h"
 #include "enfilade/pipeline/gather_evidence.h"
 #include "enfilade/pipeline/pipeline.h"
@@ -39,8 +40,8 @@ std::string NameOf(const BaselineOptions& options) {
 }
 
 // What the plan came from: the version, the options of the stages that led to the evidence, and
-// those of the rival.
-Json Provenance(const Manifest& manifest, BaselineOptions options) {
+// those of who drew it.
+Json ProvenanceOf(const Manifest& manifest, const char* drawer, Json options) {
   PipelineOptions stage_options = OptionsOf(manifest);
   const Json stages = OptionsToJson(VisitorOf(stage_options));
   return {{"version", Version()},
@@ -48,15 +49,28 @@ Json Provenance(const Manifest& manifest, BaselineOptions options) {
           {"options",
            {{"structure", stages.at("structure")},
             {"evidence", stages.at("evidence")},
-            {"baseline", OptionsToJson(VisitorOf(options))}}}};
+            {drawer, std::move(options)}}}};
 }
 
-RivalPlan DrawOne(const Results& results, const std::vector<EvidenceGrids>& evidence,
+double SecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+RivalPlan DrawPaper(const Results& results, const std::vector<EvidenceGrids>& counts,
+                    const FloorplanOptions& options, RunContext& context) {
+  const Clock::time_point start = Clock::now();
+  FloorplanReport report = DrawPlan(*results.scene, *results.structure, counts, options, context);
+  if (report.outcome != FloorplanOutcome::kFound)
+    context.log().Warning("the paper's plan has no rooms: " + report.reason);
+  return {kPaperPlan, std::move(report.plan), SecondsSince(start), {}};
+}
+
+RivalPlan DrawCut(const Results& results, const std::vector<EvidenceGrids>& evidence,
                   const BaselineOptions& options, RunContext& context) {
   const Clock::time_point start = Clock::now();
   PlaneCutReport report =
       CutFloorplan(*results.scene, *results.structure, evidence, options.cut, context);
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = SecondsSince(start);
   if (report.outcome == PlaneCutOutcome::kNoRoom)
     context.log().Warning(NameOf(options) + " has no rooms: " + report.reason);
   return {NameOf(options), std::move(report.plan), seconds, {}};
@@ -103,18 +117,13 @@ std::vector<RivalPlan> DrawBaselines(const Workspace& workspace, const Manifest&
                                      const Results& results,
                                      const std::optional<GroundTruth>& truth,
                                      const BaselineOptions& options, RunContext& context) {
-  const std::vector<EvidenceGrids> evidence =
-      EvidenceInMode(workspace, manifest, results, options.evidence, context);
   RunContext quiet(context.num_threads(), context.seed(), context.max_memory_mb());
   std::vector<RivalPlan> rivals;
-  for (const double factor : kLadder) {
-    BaselineOptions step = options;
-    step.cut.lambda *= factor;
-    RivalPlan rival = DrawOne(results, evidence, step, context);
+  const auto take = [&](RivalPlan rival, const Json& provenance) {
     const fs::path folder = workspace.baselines_folder() / rival.name;
     RemoveFiles(workspace, {folder.lexically_relative(workspace.root())});
     const bool has_rooms = NumRooms(rival.plan) > 0;
-    if (has_rooms) WritePlan(folder, rival.plan, Provenance(manifest, step));
+    if (has_rooms) WritePlan(folder, rival.plan, provenance);
     if (truth) {
       // What is said of the pictures is the same for all.
       const JudgedPlan judged =
@@ -123,6 +132,21 @@ std::vector<RivalPlan> DrawBaselines(const Workspace& workspace, const Manifest&
       rival.figures = judged.report.figures;
     }
     rivals.push_back(std::move(rival));
+  };
+  FloorplanOptions paper = OptionsOf(manifest).floorplan;
+  paper.mode = FloorplanMode::kPaper;
+  paper.vertices = 0;
+  take(DrawPaper(results,
+                 EvidenceInMode(workspace, manifest, results, EvidenceMode::kCounts, context),
+                 paper, context),
+       ProvenanceOf(manifest, "floorplan", OptionsToJson(VisitorOf(paper))));
+  const std::vector<EvidenceGrids> evidence =
+      EvidenceInMode(workspace, manifest, results, options.evidence, context);
+  for (const double factor : kLadder) {
+    BaselineOptions step = options;
+    step.cut.lambda *= factor;
+    take(DrawCut(results, evidence, step, context),
+         ProvenanceOf(manifest, "baseline", OptionsToJson(VisitorOf(step))));
   }
   return rivals;
 }

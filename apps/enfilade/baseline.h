@@ -39,6 +39,9 @@ struct BaselineCommandOptions {
   void Visit(OptionVisitor& v) { v("baseline", baseline, "The rival's plans."); }
 };
 
+/// Name of the plan in mode paper.
+inline constexpr const char* kPaperPlan = "paper";
+
 /// A plan beside others.
 struct RivalPlan {
   std::string name;
@@ -55,10 +58,11 @@ struct RivalPlan {
                                                         const Results& results, EvidenceMode mode,
                                                         RunContext& context);
 
-/// Draws the plans at λ, 4λ and 16λ, as the paper does, and writes each to a folder of its own
-/// below baselines/ of the result folder, which the caller has locked: floorplan.json and plan.svg
-/// and, where there is a truth, evaluation.json and overlay.png. A plan without rooms leaves no
-/// files. Throws IoError, InvalidInputError, StoppedError.
+/// Draws the paper's plan from counts and the cuts at λ, 4λ and 16λ, as the paper compares them,
+/// and writes each to a folder of its own below baselines/ of the result folder, which the caller
+/// has locked: floorplan.json and plan.svg and, where there is a truth, evaluation.json and
+/// overlay.png. A plan without rooms leaves no files. Throws IoError, InvalidInputError,
+/// StoppedError.
 [[nodiscard]] std::vector<RivalPlan> DrawBaselines(const Workspace& workspace,
                                                    const Manifest& manifest, const Results& results,
                                                    const std::optional<GroundTruth>& truth,

@@ -35,8 +35,10 @@ int RunBaseline(const Arguments& arguments, const BaselineOptions& options, RunC
 
   std::vector<RivalPlan> plans =
       DrawBaselines(workspace, manifest, results, truth, options, context);
+  // The rival's: the paper's plan may have rooms where a cut has none.
   const bool has_rooms = std::any_of(plans.begin(), plans.end(), [](const RivalPlan& rival) {
-    return std::any_of(rival.plan.storeys.begin(), rival.plan.storeys.end(),
+    return rival.name != kPaperPlan &&
+           std::any_of(rival.plan.storeys.begin(), rival.plan.storeys.end(),
                        [](const Storey& storey) { return !storey.rooms.empty(); });
   });
   if (std::optional<RivalPlan> own = OwnPlan(manifest, results, truth))

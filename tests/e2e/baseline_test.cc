@@ -65,6 +65,9 @@ TEST_F(Baseline, DrawsAndJudgesThreePlans) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("area_error_gross"));
   EXPECT_THAT(result.out, HasSubstr("\nfloorplan "));
+  EXPECT_THAT(result.out, HasSubstr("\npaper "));
+  const nlohmann::json paper = ReadJsonFile(output() / "baselines/paper/evaluation.json");
+  EXPECT_GT(paper.at("area_iou_gross").get<double>(), 0.8);
   for (const char* lambda : kLambdas) {
     EXPECT_THAT(result.out, HasSubstr("\ncut_lambda" + std::string(lambda) + " "));
     const nlohmann::json plan = ReadJsonFile(Rival(lambda) / "floorplan.json");
