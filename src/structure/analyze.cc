@@ -45,6 +45,8 @@ constexpr double kShareThroughDoor = 0.3, kShareInRoom = 0.7;
 constexpr double kCeilingError_m = 0.02;
 // Cells of the free space that bounds where walls may stand.
 constexpr double kLabelCell_m = 0.05;
+// Between a camera and floor or ceiling, whatever was found.
+constexpr double kLeastHeight_m = 0.1;
 
 // What is kept of one panorama while its storey is solved.
 struct ViewWork {
@@ -461,8 +463,11 @@ class StoreySolver {
     std::vector<ClassifyView> views;
     for (ViewWork& work : works_) {
       ClassifyView& view = views.emplace_back(std::move(work.label_view));
-      view.floor_m = work.position.z() - floor_.floor_z;
-      view.ceiling_m = work.ceiling.ceiling_z - work.position.z();
+      const double ceiling_z = options_.use_ceiling
+                                   ? work.ceiling.ceiling_z
+                                   : floor_.floor_z + options_.height.typical_room_m;
+      view.floor_m = std::max(kLeastHeight_m, work.position.z() - floor_.floor_z);
+      view.ceiling_m = std::max(kLeastHeight_m, ceiling_z - work.position.z());
       if (!evidence.core.empty()) {
         view.clear_m =
             ClearDistances(evidence, work.position.head<2>(), view.superpixels.label.cols());

@@ -121,6 +121,41 @@ void ExpectValid(const Structure& structure, size_t num_views, int num_columns) 
   }
 }
 
+TEST_F(AnalyzeRoom, LabelsAloneFindTheWalls) {
+  StructureOptions options = Coarse();
+  options.num_columns = 512;
+  options.max_width = 1024;
+  options.mode = StructureMode::kPaper;
+  const StructureReport report = Analyze(options);
+  EXPECT_GT(ColumnsWithin(report.structure, 0.1), 0.7);
+  ASSERT_EQ(report.classifications.size(), scene_.views.size());
+  for (const Classification& labels : report.classifications) {
+    EXPECT_GT(labels.num_free_seeds, labels.num_superpixels / 5);
+    EXPECT_EQ(labels.num_point_seeds, 0);
+    EXPECT_LE(labels.energy, labels.seed_energy);
+    EXPECT_EQ(labels.maps.final_labels.cols(), 1024);
+    // As the camera saw them: its upper half has no floor, its lower half no ceiling.
+    const int rows = labels.maps.final_labels.rows();
+    EXPECT_EQ(labels.maps.final_labels(rows / 16, 3), static_cast<int>(SurfaceLabel::kCeiling));
+    EXPECT_EQ(labels.maps.final_labels(rows - 1 - rows / 16, 3),
+              static_cast<int>(SurfaceLabel::kFloor));
+  }
+  EXPECT_TRUE(Analyze(Coarse()).classifications.empty());
+}
+
+TEST_F(AnalyzeRoom, LabelsHelpWithEveryOtherCueSwitchedOff) {
+  for (const bool use_ceiling : {true, false}) {
+    for (const bool use_shared : {true, false}) {
+      StructureOptions options = Coarse();
+      options.mode = StructureMode::kJoint;
+      options.use_ceiling = use_ceiling;
+      options.use_shared = use_shared;
+      options.use_frontal = use_shared;
+      EXPECT_GT(ColumnsWithin(Analyze(options).structure, 0.1), 0.7) << use_ceiling << use_shared;
+    }
+  }
+}
+
 TEST_F(AnalyzeRoom, FindsDirectionsHeightsAndWalls) {
   scene_.camera_height_m = 1.5;
   const StructureReport report = Analyze({});
