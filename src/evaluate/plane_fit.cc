@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "enfilade/geometry/cross.h"
+
 namespace enfilade {
 namespace {
 
@@ -16,8 +18,6 @@ using Eigen::Vector2d;
 
 constexpr double kMinBaseline_m = 0.1;
 constexpr size_t kMaxHypotheses = 20000;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool HasBaseline(const PointPair& a, const PointPair& b) {
   return (b.source - a.source).norm() >= kMinBaseline_m &&

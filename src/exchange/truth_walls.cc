@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/cross.h"
 #include "src/exchange/truth_sources.h"
 
 namespace enfilade {
@@ -15,8 +16,6 @@ using Eigen::Vector2d;
 constexpr double kMaxGapAngle_deg = 20;
 constexpr double kMinWall_m = 0.01;
 constexpr double kSameDoor_m = 0.4;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The stretches of the edge a→b that gaps cover, in metres from a, ascending.
 std::vector<std::pair<double, double>> CoveredStretches(const Vector2d& a, const Vector2d& b,

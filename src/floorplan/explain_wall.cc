@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/geometry/cross.h"
 #include "enfilade/geometry/polygon2.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/outline_cost.h"
@@ -22,7 +23,6 @@ constexpr double kBehindReach_m = 1;
 constexpr double kFarthest_m = 1.5;  // that a wall is moved
 constexpr double kVanished_m = 0.01;
 
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vector2d Inward(const Wall& wall) {
   const Vector2d along = (wall.b - wall.a).normalized();
   return {-along.y(), along.x()};

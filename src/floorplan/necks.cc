@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "enfilade/geometry/cross.h"
 #include "src/floorplan/closet.h"
 #include "src/floorplan/sound_polygon.h"
 
@@ -22,8 +23,6 @@ constexpr double kSquare = 0.15;    // cosine
 constexpr double kMinBeside_m = 0.1;  // of the wall beside a neck
 constexpr double kTouch_m = 1e-6, kClear_m = 1e-3;
 constexpr double kCollinear_m = 1e-6;
-
-double Cross(const Vector2d& u, const Vector2d& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 // Corners that point into the room.
 std::vector<bool> JuttingCorners(const Ring2& ring) {

@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "enfilade/geometry/cross.h"
+
 namespace enfilade {
 namespace {
 
@@ -20,8 +22,6 @@ constexpr double kMinMeetingSine = 0.15;  // lines at smaller angles meet nowher
 constexpr double kTouching_m = 1e-4;
 constexpr double kSlack = 1e-9;
 constexpr size_t kLeastWalls = 3;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 struct RingWall {
   Vector2d start, along;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/cross.h"
 #include "enfilade/geometry/polygon2.h"
 #include "src/floorplan/box_index.h"
 
@@ -20,8 +21,6 @@ using Eigen::Vector2d;
 constexpr double kOpeningReach_m = 0.45;  // openings lie on one face, the other is as far away
 constexpr double kJamb_m = 0.02;
 constexpr double kTouch_m = 1e-6;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Where a ray meets the segment a → b: the distance along the unit direction, if it does.
 std::optional<double> MeetSegment(const Vector2d& origin, const Vector2d& direction,

@@ -10,13 +10,12 @@
 #include <sstream>
 
 #include "enfilade/base/check.h"
+#include "enfilade/geometry/cross.h"
 
 namespace enfilade {
 namespace {
 
 using Eigen::Vector2d;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Sign of the turn a → b → c.
 int Orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "enfilade/geometry/cross.h"
 #include "src/synthetic/outline.h"
 
 namespace enfilade {
@@ -18,8 +19,6 @@ constexpr double kDoorHeight_m = 2.0;
 constexpr double kCornerGap_m = 0.2;  // room for the door's frame
 constexpr double kOpeningGap_m = 0.3;
 constexpr double kOuterThickness_m = 0.28;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // A new opening on [begin_m, end_m] of the wall.
 HomeOpening MakeOpening(const Home& home, const HomeWall& wall, double begin_m, double end_m) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "enfilade/geometry/angles.h"
+#include "enfilade/geometry/cross.h"
 #include "enfilade/geometry/triangulate.h"
 #include "src/synthetic/openings.h"
 #include "src/synthetic/placement.h"
@@ -18,8 +19,6 @@ using Eigen::Vector3d;
 
 constexpr double kHanging_m = 0.5;
 constexpr double kMaxThickness_m = 0.5;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The longest neighbour behind each wall face, by the face's id.
 void AddNeighbours(const Home& home, std::vector<Wall>& walls) {
