@@ -15,6 +15,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/scene/surface_label.h"
+#include "enfilade/structure/level_panorama.h"
 
 namespace enfilade {
 namespace {
@@ -24,26 +25,8 @@ using Eigen::Vector3d;
 // Closer to a vanishing point a line has no direction of its own.
 constexpr double kNearVanishing = 0.1;
 
-// Pixels of a level panorama and their directions.
-struct Sphere {
-  int rows, cols;
-
-  [[nodiscard]] Vector3d Direction(int row, int col) const {
-    const double elevation = kPi * (0.5 - (row + 0.5) / rows);
-    const double azimuth = 2 * kPi * (col + 0.5) / cols - kPi;
-    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-            std::sin(elevation)};
-  }
-  [[nodiscard]] std::pair<int, int> Pixel(const Vector3d& direction) const {
-    const double elevation = std::asin(std::clamp(direction.z(), -1.0, 1.0));
-    const double azimuth = std::atan2(direction.y(), direction.x());
-    return {std::clamp(static_cast<int>((0.5 - elevation / kPi) * rows), 0, rows - 1),
-            std::clamp(static_cast<int>((azimuth + kPi) / (2 * kPi) * cols), 0, cols - 1)};
-  }
-};
-
 // 1 + the axis whose vanishing point an edge with this gradient points to; 0 for none or several.
-uint8_t AxisOfEdge(const Sphere& sphere, int row, int col, double to_right, double to_bottom,
+uint8_t AxisOfEdge(const LevelPixels& sphere, int row, int col, double to_right, double to_bottom,
                    double max_sine) {
   const Vector3d p = sphere.Direction(row, col);
   const double level = std::hypot(p.x(), p.y());
@@ -66,7 +49,7 @@ uint8_t AxisOfEdge(const Sphere& sphere, int row, int col, double to_right, doub
 }
 
 // Takes out connected lines (8 neighbours, round the azimuth) shorter than the bound.
-void DropShortLines(const Sphere& sphere, double min_length_rad, ImageU8& lines) {
+void DropShortLines(const LevelPixels& sphere, double min_length_rad, ImageU8& lines) {
   ImageU8 done(sphere.rows, sphere.cols);
   std::vector<std::pair<int, int>> line;
   for (int r0 = 0; r0 < sphere.rows; ++r0) {
@@ -104,7 +87,8 @@ void DropShortLines(const Sphere& sphere, double min_length_rad, ImageU8& lines)
   }
 }
 
-ImageU8 FindLines(const Sphere& sphere, const ImageU8& rgb, const OrientationMapOptions& options) {
+ImageU8 FindLines(const LevelPixels& sphere, const ImageU8& rgb,
+                  const OrientationMapOptions& options) {
   const cv::Mat colour(rgb.rows(), rgb.cols(), CV_8UC3, const_cast<uint8_t*>(rgb.data().data()));
   cv::Mat gray, right, bottom, edges;
   cv::cvtColor(colour, gray, cv::COLOR_RGB2GRAY);
@@ -134,9 +118,9 @@ ImageU8 FindLines(const Sphere& sphere, const ImageU8& rgb, const OrientationMap
 }
 
 // Which lines, swept towards and away from an axis, pass each pixel: bit k for lines along axis k.
-ImageU8 Sweep(const Sphere& sphere, const ImageU8& lines, int axis) {
+ImageU8 Sweep(const LevelPixels& sphere, const ImageU8& lines, int axis) {
   // Meridians about the axis, each from its vanishing point to the opposite one.
-  const Sphere polar{sphere.rows, sphere.cols};
+  const LevelPixels polar{sphere.rows, sphere.cols};
   const Vector3d pole = Vector3d::Unit(axis), first = Vector3d::Unit((axis + 1) % 3),
                  second = Vector3d::Unit((axis + 2) % 3);
   const auto to_home = [&](const Vector3d& p) {
@@ -145,7 +129,7 @@ ImageU8 Sweep(const Sphere& sphere, const ImageU8& lines, int axis) {
   ImageU8 along(polar.rows, polar.cols), passed(polar.rows, polar.cols);
   for (int r = 0; r < polar.rows; ++r) {
     for (int c = 0; c < polar.cols; ++c) {
-      const auto [row, col] = sphere.Pixel(to_home(polar.Direction(r, c)));
+      const auto [row, col] = sphere.At(to_home(polar.Direction(r, c)));
       // Lines are one pixel wide: the pixel above and the one beside count too.
       const uint8_t near[] = {lines(row, col), lines(std::max(0, row - 1), col),
                               lines(row, col > 0 ? col - 1 : sphere.cols - 1)};
@@ -168,7 +152,7 @@ ImageU8 Sweep(const Sphere& sphere, const ImageU8& lines, int axis) {
   for (int r = 0; r < sphere.rows; ++r) {
     for (int c = 0; c < sphere.cols; ++c) {
       const Vector3d p = sphere.Direction(r, c);
-      const auto [row, col] = polar.Pixel({p.dot(first), p.dot(second), p.dot(pole)});
+      const auto [row, col] = polar.At({p.dot(first), p.dot(second), p.dot(pole)});
       result(r, c) = passed(row, col);
     }
   }
@@ -180,7 +164,7 @@ ImageU8 Sweep(const Sphere& sphere, const ImageU8& lines, int axis) {
 OrientationMap MapOrientations(const ImageU8& rgb, const OrientationMapOptions& options) {
   ENFILADE_CHECK(rgb.channels() == 3 && rgb.cols() == 2 * rgb.rows() && rgb.rows() >= 8);
   const int cols = std::min(rgb.cols(), options.width / 2 * 2);
-  const Sphere sphere{cols / 2, cols};
+  const LevelPixels sphere{cols / 2, cols};
   OrientationMap map{FindLines(sphere, rgb, options), ImageU8(sphere.rows, sphere.cols),
                      ImageU8(sphere.rows, sphere.cols)};
   std::array<ImageU8, 3> passed;

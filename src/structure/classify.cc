@@ -13,6 +13,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/optim/ordered_labels.h"
 #include "enfilade/scene/camera.h"
+#include "enfilade/structure/level_panorama.h"
 #include "src/structure/colour_model.h"
 
 namespace enfilade {
@@ -53,14 +54,6 @@ int FromSurface(SurfaceLabel label) {
     default:
       return kUnknown;
   }
-}
-
-// Row and column of a level panorama in which a unit direction lies.
-std::pair<int, int> PixelOf(const Eigen::Vector3d& direction, int rows, int cols) {
-  const double azimuth = std::atan2(direction.y(), direction.x());
-  const double elevation = std::asin(std::clamp(direction.z(), -1.0, 1.0));
-  return {std::clamp(static_cast<int>((0.5 - elevation / kPi) * rows), 0, rows - 1),
-          std::clamp(static_cast<int>((azimuth + kPi) / (2 * kPi) * cols), 0, cols - 1)};
 }
 
 // What the columns of a panorama bound: the distance of the nearest wall, at the panorama's
@@ -206,7 +199,8 @@ class PanoramaClassifier {
     for (const SeenPoint& point : view_.points) {
       const int label = FromSurface(point.label);
       if (label == kUnknown) continue;
-      const auto [row, col] = PixelOf(point.direction.cast<double>(), label_.rows(), label_.cols());
+      const auto [row, col] =
+          LevelPixels{label_.rows(), label_.cols()}.At(point.direction.cast<double>());
       Region& region = regions_[static_cast<size_t>(label_(row, col))];
       ++region.num_points[static_cast<size_t>(label)];
     }
@@ -386,11 +380,11 @@ double AtRow(const std::vector<double>& sums, double row) {
 LabelMaps MapsInCamera(const LabelMaps& level, const Eigen::Matrix3d& home_from_cam) {
   const int rows = level.final_labels.rows(), cols = level.final_labels.cols();
   const Camera camera = EquirectangularCamera(cols, rows);
+  const LevelPixels pixels{rows, cols};
   LabelMaps maps{ImageU8(rows, cols), ImageU8(rows, cols), ImageU8(rows, cols)};
   for (int r = 0; r < rows; ++r) {
     for (int c = 0; c < cols; ++c) {
-      const auto [row, col] =
-          PixelOf(home_from_cam * camera.RayFromPixel({c + 0.5, r + 0.5}), rows, cols);
+      const auto [row, col] = pixels.At(home_from_cam * camera.RayFromPixel({c + 0.5, r + 0.5}));
       maps.after_points(r, c) = level.after_points(row, col);
       maps.after_free_space(r, c) = level.after_free_space(row, col);
       maps.final_labels(r, c) = level.final_labels(row, col);

@@ -41,6 +41,20 @@ ImageU8 ReadMask(const View& view) {
 
 }  // namespace
 
+Eigen::Vector3d LevelPixels::Direction(int row, int col) const {
+  const double elevation = kPi * (0.5 - (row + 0.5) / rows);
+  const double azimuth = AzimuthOfColumn(col, cols);
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+          std::sin(elevation)};
+}
+
+std::pair<int, int> LevelPixels::At(const Eigen::Vector3d& direction) const {
+  const double elevation = std::asin(std::clamp(direction.z(), -1.0, 1.0));
+  const double azimuth = std::atan2(direction.y(), direction.x());
+  return {std::clamp(static_cast<int>((0.5 - elevation / kPi) * rows), 0, rows - 1),
+          std::clamp(static_cast<int>((azimuth + kPi) / (2 * kPi) * cols), 0, cols - 1)};
+}
+
 double LevelPanorama::RowOfElevation(double elevation_rad) const {
   return rows() * (0.5 - elevation_rad / kPi);
 }

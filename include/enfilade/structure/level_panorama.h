@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 
 #include "enfilade/base/run_context.h"
 #include "enfilade/image/image.h"
@@ -24,6 +25,16 @@ struct LevelPanorama {
   [[nodiscard]] int cols() const { return rgb.cols(); }
   /// Continuous row (0.5 is the centre of the top row) of an elevation.
   [[nodiscard]] double RowOfElevation(double elevation_rad) const;
+};
+
+/// The pixels of a level panorama of any size and their directions in its frame.
+struct LevelPixels {
+  int rows = 0, cols = 0;
+
+  /// Unit vector through the centre of a pixel.
+  [[nodiscard]] Eigen::Vector3d Direction(int row, int col) const;
+  /// Row and column of the pixel that a unit vector goes through.
+  [[nodiscard]] std::pair<int, int> At(const Eigen::Vector3d& direction) const;
 };
 
 /// Resamples `picture` (rows × cols × 3, the decoded file of `view`) into the frame
