@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "enfilade/base/check.h"
 #include "enfilade/evaluate/judged_plan.h"
@@ -45,10 +46,6 @@ TrueColumns PlaceColumns(const View& view, const TruthView& truth, const Structu
     columns.directions.emplace_back(in_truth.head<2>().normalized());
   }
   return columns;
-}
-
-double DistanceTo(const Segment2& segment, const Vector2d& point) {
-  return DistanceToRing({segment[0], segment[1]}, point);
 }
 
 // Distance to the first door or opening along a ray.
@@ -153,8 +150,9 @@ Sight SightOnStorey(const GroundTruth& truth, int storey_idx) {
   Sight sight{{}, truth.doors, {}};
   for (const Segment2& wall : truth.walls) {
     const Vector2d middle = 0.5 * (wall[0] + wall[1]);
-    if (std::any_of(outlines.begin(), outlines.end(),
-                    [&](const Segment2& edge) { return DistanceTo(edge, middle) < kOnOutline_m; }))
+    if (std::any_of(outlines.begin(), outlines.end(), [&](const Segment2& edge) {
+          return DistanceToSegment(middle, edge[0], edge[1]) < kOnOutline_m;
+        }))
       sight.walls.push_back(wall);
   }
   for (const Segment2& door : sight.doors) sight.door_faces.push_back(PartsBehind(door, outlines));
@@ -165,7 +163,8 @@ void SetTrueWalls(const TrueColumns& columns, const Sight& sight, const std::vec
                   WallProfile& profile) {
   std::vector<Segment2> walls = sight.walls;
   for (size_t i = 0; i < sight.doors.size(); ++i) {
-    if (DistanceTo(sight.doors[i], columns.origin) <= kInDoorway_m) continue;
+    if (DistanceToSegment(columns.origin, sight.doors[i][0], sight.doors[i][1]) <= kInDoorway_m)
+      continue;
     walls.insert(walls.end(), sight.door_faces[i].begin(), sight.door_faces[i].end());
   }
   for (int c = 0; c < profile.num_columns(); ++c) {
@@ -257,6 +256,7 @@ Structure WithTrueProfiles(const Scene& scene, const Structure& structure, const
                            std::span<const int> truth_idx) {
   ENFILADE_CHECK(truth_idx.size() == scene.views.size());
   Structure result = structure;
+  std::map<int, Sight> sight_on_storey;
   for (WallProfile& profile : result.profiles) {
     const auto view_idx = static_cast<size_t>(profile.view_idx);
     const int idx = truth_idx[view_idx];
@@ -265,8 +265,14 @@ Structure WithTrueProfiles(const Scene& scene, const Structure& structure, const
       continue;
     }
     const TruthView& truth_view = truth.views[static_cast<size_t>(idx)];
+    auto sight = sight_on_storey.find(truth_view.storey_idx);
+    if (sight == sight_on_storey.end()) {
+      sight = sight_on_storey
+                  .emplace(truth_view.storey_idx, SightOnStorey(truth, truth_view.storey_idx))
+                  .first;
+    }
     SetTrueWalls(PlaceColumns(scene.views[view_idx], truth_view, structure, profile.num_columns()),
-                 SightOnStorey(truth, truth_view.storey_idx), structure.bin_m, profile);
+                 sight->second, structure.bin_m, profile);
   }
   return result;
 }
