@@ -89,10 +89,9 @@ size_t NumVertices(const Floorplan& plan) {
   return count;
 }
 
-std::string FigureText(const MetricReport& figures, const char* key) {
+std::optional<double> FigureOf(const MetricReport& figures, const char* key) {
   const auto figure = figures.find(key);
-  if (figure == figures.end() || !figure->second) return "n/a";
-  return fmt::format("{:.3f}", *figure->second);
+  return figure != figures.end() ? figure->second : std::nullopt;
 }
 
 }  // namespace
@@ -167,7 +166,8 @@ std::string FormatRivals(const std::vector<RivalPlan>& plans) {
   for (const RivalPlan& plan : plans) {
     text += fmt::format("{:<28}", plan.name);
     for (const char* key : kFigures) {
-      text += fmt::format("  {:>{}}", FigureText(plan.figures, key), std::string_view(key).size());
+      text += fmt::format("  {:>{}}", FigureText(FigureOf(plan.figures, key)),
+                          std::string_view(key).size());
     }
     text += fmt::format("  {:>5}  {:>8}  {:>7.2f}\n", NumRooms(plan.plan), NumVertices(plan.plan),
                         plan.seconds);

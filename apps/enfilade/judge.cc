@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/enfilade/judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -117,6 +119,10 @@ MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
   if (self) json["self_panoramas"] = SelfReportToJson(*self);
   WriteJsonFile(workspace.evaluation_file(), json);
   return report.figures;
+}
+
+std::string FigureText(const std::optional<double>& figure) {
+  return figure ? fmt::format("{:.3f}", *figure) : "n/a";
 }
 
 JudgedPlan JudgePlan(const Results& results, const Floorplan& plan, const GroundTruth& truth,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 
 #include "enfilade/base/run_context.h"
 #include "enfilade/evaluate/evaluate.h"
@@ -38,6 +39,9 @@ void AddCosts(const Manifest& manifest, MetricReport& figures);
 /// (self_check.h) are among them where its plans stand. Throws InvalidInputError, IoError.
 MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
                           const Results& results, const GroundTruth& truth, RunContext& context);
+
+/// A figure with three digits for a table; n/a for none.
+[[nodiscard]] std::string FigureText(const std::optional<double>& figure);
 
 /// Another plan of the same home, judged. Refers to the plan and the results it was made from.
 struct JudgedPlan {

@@ -38,10 +38,6 @@ ImageU8 CompletedByColumn(const ImageU8& labels) {
   return completed;
 }
 
-std::string FigureText(const std::optional<double>& figure) {
-  return figure ? fmt::format("{:.3f}", *figure) : "n/a";
-}
-
 }  // namespace
 
 RivalLabels MakeOrientationMaps(const Workspace& workspace, const Results& results,

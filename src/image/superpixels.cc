@@ -189,13 +189,18 @@ Image<int> PlacesOfSeeds(const SeedBands& bands, int rows, int cols) {
   return label;
 }
 
-std::vector<Center> MoveCenters(const Sphere& sphere, const Image<int>& label,
-                                std::vector<Center> centers) {
-  std::vector<Sums> sums(centers.size());
+std::vector<Sums> SumsOf(const Sphere& sphere, const Image<int>& label, int count) {
+  std::vector<Sums> sums(static_cast<size_t>(count));
   for (int r = 0; r < label.rows(); ++r) {
     for (int c = 0; c < label.cols(); ++c)
       sums[static_cast<size_t>(label(r, c))].Add(sphere.At(r, c));
   }
+  return sums;
+}
+
+std::vector<Center> MoveCenters(const Sphere& sphere, const Image<int>& label,
+                                std::vector<Center> centers) {
+  const std::vector<Sums> sums = SumsOf(sphere, label, static_cast<int>(centers.size()));
   for (size_t i = 0; i < centers.size(); ++i) {
     if (sums[i].weight > 0) centers[i] = MeanOf(sums[i]);
   }
@@ -230,15 +235,6 @@ int NumberPieces(Image<int>& label) {
   }
   label = std::move(piece);
   return count;
-}
-
-std::vector<Sums> SumsOf(const Sphere& sphere, const Image<int>& label, int count) {
-  std::vector<Sums> sums(static_cast<size_t>(count));
-  for (int r = 0; r < label.rows(); ++r) {
-    for (int c = 0; c < label.cols(); ++c)
-      sums[static_cast<size_t>(label(r, c))].Add(sphere.At(r, c));
-  }
-  return sums;
 }
 
 double SquaredColourDistance(const Sums& p, const Sums& q) {

@@ -25,7 +25,7 @@ struct OrderedLabels {
 /// PAMI 2003, for costs linear in the difference of labels): K − 1 vertices a node. Costs are
 /// rounded to 2⁻²⁰ of the largest one, so that the result is the same everywhere; of several best
 /// labellings the one with the lowest labels. The flow is Boost.Graph's (Boykov and Kolmogorov,
-/// PAMI 2004): seconds for 10⁵ nodes.
+/// PAMI 2004).
 [[nodiscard]] OrderedLabels FindOrderedLabels(std::span<const double> costs, int num_labels,
                                               std::span<const LabelEdge> edges);
 
