@@ -15,15 +15,17 @@ namespace {
 
 enum class Tree : uint8_t { kSource, kSink, kNone };
 
-// Directions are 0 … 3: +col, +row, −col, −row; the opposite of d is d ^ 2. A cell's parent is one
-// of them or:
-constexpr uint8_t kTerminal = 4;  // the cell hangs on source or sink itself
-constexpr uint8_t kOrphan = 5;    // it was cut off and waits for a new parent
+// Directions are +col, −col, +row, −row, +layer, −layer; the opposite of d is d ^ 1. A cell's
+// parent is one of them or:
+constexpr uint8_t kTerminal = 6;  // the cell hangs on source or sink itself
+constexpr uint8_t kOrphan = 7;    // it was cut off and waits for a new parent
 
+template <int kNumDirections>
 struct Cell {
-  std::array<int32_t, 4> residual{};  // what may still flow to the neighbour in each direction
-  int32_t excess = 0;                 // residual from the source, or minus that to the sink
-  int32_t level = 0;                  // steps to the terminal along the tree
+  // What may still flow to the neighbour in each direction.
+  std::array<int32_t, kNumDirections> residual{};
+  int32_t excess = 0;  // residual from the source, or minus that to the sink
+  int32_t level = 0;   // steps to the terminal along the tree
   Tree tree = Tree::kNone;
   uint8_t parent = kOrphan;
 };
@@ -34,19 +36,27 @@ struct Cell {
 // level in turn. Where they touch, flow along the path through both saturates edges; what hung on
 // these looks for new parents at the lowest level there is. A tree without a last level has grown
 // to its end, and no path is left.
+//
+// Four directions for grids of one layer, six for all.
+template <int kNumDirections>
 class TwoTrees {
  public:
   explicit TwoTrees(const GridCutProblem& problem)
       : rows_(problem.rows),
         cols_(problem.cols),
-        step_{1, problem.cols + 2, -1, -(problem.cols + 2)},
-        cells_(static_cast<size_t>(problem.rows + 2) * static_cast<size_t>(problem.cols + 2)) {
-    for (int row = 0; row < rows_; ++row) {
-      for (int col = 0; col < cols_; ++col) SetCapacities(problem, row, col);
-    }
-    for (int row = 0; row < rows_; ++row) {
-      for (int col = 0; col < cols_; ++col) Root(IndexOf(row, col));
-    }
+        layers_(problem.layers),
+        cells_(NumFramedCells(problem)) {
+    const int32_t row_step = problem.cols + 2, layer_step = (problem.rows + 2) * row_step;
+    const std::array<int32_t, 6> steps = {1, -1, row_step, -row_step, layer_step, -layer_step};
+    std::copy_n(steps.begin(), kNumDirections, step_.begin());
+    ForEachCell([&](int row, int col, int layer) { SetCapacities(problem, row, col, layer); });
+    ForEachCell([&](int row, int col, int layer) { Root(IndexOf(row, col, layer)); });
+  }
+
+  [[nodiscard]] static size_t NumFramedCells(const GridCutProblem& problem) {
+    const size_t num_layers = static_cast<size_t>(problem.layers) + 2 * kLayerFrame;
+    return num_layers * static_cast<size_t>(problem.rows + 2) *
+           static_cast<size_t>(problem.cols + 2);
   }
 
   void Saturate() {
@@ -59,15 +69,19 @@ class TwoTrees {
   // What the source still reaches is the smallest source side.
   [[nodiscard]] GridCutReport TakeReport() {
     MarkReached();
-    report_.is_source.reserve(static_cast<size_t>(rows_) * static_cast<size_t>(cols_));
-    for (int row = 0; row < rows_; ++row) {
-      for (int col = 0; col < cols_; ++col)
-        report_.is_source.push_back(At(IndexOf(row, col)).tree == Tree::kSource);
-    }
+    report_.is_source.reserve(static_cast<size_t>(layers_) * static_cast<size_t>(rows_) *
+                              static_cast<size_t>(cols_));
+    ForEachCell([&](int row, int col, int layer) {
+      report_.is_source.push_back(At(IndexOf(row, col, layer)).tree == Tree::kSource);
+    });
     return std::move(report_);
   }
 
  private:
+  using Cell = enfilade::Cell<kNumDirections>;
+  // Layers of the frame on each side.
+  static constexpr int kLayerFrame = kNumDirections == 6 ? 1 : 0;
+
   // The last level of a tree, whose cells have not taken in their neighbours. Lists may hold cells
   // that are no longer there.
   struct Front {
@@ -78,8 +92,16 @@ class TwoTrees {
   };
 
   // A frame of cells without capacities lies round the grid, so that no step needs a check.
-  [[nodiscard]] int32_t IndexOf(int row, int col) const {
-    return (row + 1) * (cols_ + 2) + col + 1;
+  [[nodiscard]] int32_t IndexOf(int row, int col, int layer) const {
+    return ((layer + kLayerFrame) * (rows_ + 2) + row + 1) * (cols_ + 2) + col + 1;
+  }
+  template <typename Visit>
+  void ForEachCell(Visit&& visit) const {
+    for (int layer = 0; layer < layers_; ++layer) {
+      for (int row = 0; row < rows_; ++row) {
+        for (int col = 0; col < cols_; ++col) visit(row, col, layer);
+      }
+    }
   }
   [[nodiscard]] Cell& At(int32_t cell) { return cells_[static_cast<size_t>(cell)]; }
   [[nodiscard]] int32_t Neighbor(int32_t cell, int direction) const {
@@ -94,20 +116,22 @@ class TwoTrees {
   // neighbour is the child: away from the source, towards the sink.
   [[nodiscard]] int32_t RoomToChild(Tree tree, int32_t cell, int direction) {
     return tree == Tree::kSource ? Residual(cell, direction)
-                                 : Residual(Neighbor(cell, direction), direction ^ 2);
+                                 : Residual(Neighbor(cell, direction), direction ^ 1);
   }
 
-  void SetCapacities(const GridCutProblem& problem, int row, int col) {
-    const size_t i = problem.Index(row, col);
-    const int32_t cell = IndexOf(row, col);
+  void SetCapacities(const GridCutProblem& problem, int row, int col, int layer) {
+    const size_t i = problem.Index(row, col, layer);
+    const int32_t cell = IndexOf(row, col, layer);
     At(cell).excess = problem.source_capacity[i] - problem.sink_capacity[i];
     report_.cost += std::min(problem.source_capacity[i], problem.sink_capacity[i]);
-    if (col + 1 < cols_) {
-      Residual(cell, 0) = Residual(Neighbor(cell, 0), 2) = problem.east_capacity[i];
+    if (col + 1 < cols_) Connect(cell, 0, problem.east_capacity[i]);
+    if (row + 1 < rows_) Connect(cell, 2, problem.north_capacity[i]);
+    if constexpr (kNumDirections == 6) {
+      if (layer + 1 < layers_) Connect(cell, 4, problem.up_capacity[i]);
     }
-    if (row + 1 < rows_) {
-      Residual(cell, 1) = Residual(Neighbor(cell, 1), 3) = problem.north_capacity[i];
-    }
+  }
+  void Connect(int32_t cell, int direction, int32_t capacity) {
+    Residual(cell, direction) = Residual(Neighbor(cell, direction), direction ^ 1) = capacity;
   }
 
   void Root(int32_t cell) {
@@ -132,18 +156,18 @@ class TwoTrees {
   // Takes in the free neighbours of a cell and sends flow to those of the other tree.
   void Scan(int32_t cell, Tree tree) {
     const int32_t level = FrontOf(tree).level;
-    for (int d = 0; d < 4;) {
+    for (int d = 0; d < kNumDirections;) {
       if (At(cell).tree != tree || At(cell).level != level) return;
       const int32_t next = Neighbor(cell, d);
       if (RoomToChild(tree, cell, d) <= 0 || At(next).tree == tree) {
         ++d;
       } else if (At(next).tree == Tree::kNone) {
-        HangOn(next, d ^ 2, tree);
+        HangOn(next, d ^ 1, tree);
         ++d;
       } else if (tree == Tree::kSource) {
         Augment(cell, d);
       } else {
-        Augment(next, d ^ 2);
+        Augment(next, d ^ 1);
       }
     }
   }
@@ -163,7 +187,7 @@ class TwoTrees {
     const int32_t next = Neighbor(cell, direction);
     const int32_t flow = std::min({Residual(cell, direction), RoomToRoot(cell), RoomToRoot(next)});
     Residual(cell, direction) -= flow;
-    Residual(next, direction ^ 2) += flow;
+    Residual(next, direction ^ 1) += flow;
     report_.cost += flow;
     ++report_.num_augmentations;
     for (const int32_t end : {cell, next}) {
@@ -182,7 +206,7 @@ class TwoTrees {
     int32_t room = std::numeric_limits<int32_t>::max();
     for (; At(cell).parent != kTerminal; cell = Neighbor(cell, At(cell).parent)) {
       const int to_parent = At(cell).parent;
-      room = std::min(room, RoomToChild(tree, Neighbor(cell, to_parent), to_parent ^ 2));
+      room = std::min(room, RoomToChild(tree, Neighbor(cell, to_parent), to_parent ^ 1));
     }
     const int32_t excess = At(cell).excess;
     return std::min(room, tree == Tree::kSource ? excess : -excess);
@@ -194,7 +218,7 @@ class TwoTrees {
       const int to_parent = At(cell).parent;
       const int32_t parent = Neighbor(cell, to_parent);
       int32_t& upwards = Residual(cell, to_parent);
-      int32_t& downwards = Residual(parent, to_parent ^ 2);
+      int32_t& downwards = Residual(parent, to_parent ^ 1);
       (is_source ? downwards : upwards) -= flow;
       (is_source ? upwards : downwards) += flow;
       if ((is_source ? downwards : upwards) == 0) Orphan(cell);
@@ -215,18 +239,18 @@ class TwoTrees {
     const int32_t old_level = At(cell).level;
     int32_t level = FrontOf(tree).highest;
     int parent = -1;
-    for (int d = 0; d < 4; ++d) {
+    for (int d = 0; d < kNumDirections; ++d) {
       const int32_t next = Neighbor(cell, d);
       if (At(next).tree != tree || At(next).level >= level) continue;
-      if (RoomToChild(tree, next, d ^ 2) <= 0) continue;
+      if (RoomToChild(tree, next, d ^ 1) <= 0) continue;
       level = At(next).level;
       parent = d;
       if (level + 1 == old_level) break;
     }
     if (parent < 0 || level + 1 != old_level) {
-      for (int d = 0; d < 4; ++d) {
+      for (int d = 0; d < kNumDirections; ++d) {
         const int32_t next = Neighbor(cell, d);
-        if (At(next).tree == tree && At(next).parent == (d ^ 2)) Orphan(next);
+        if (At(next).tree == tree && At(next).parent == (d ^ 1)) Orphan(next);
       }
     }
     if (parent >= 0) {
@@ -248,7 +272,7 @@ class TwoTrees {
     while (!reached.empty()) {
       const int32_t cell = reached.back();
       reached.pop_back();
-      for (int d = 0; d < 4; ++d) {
+      for (int d = 0; d < kNumDirections; ++d) {
         Cell& next = At(Neighbor(cell, d));
         if (Residual(cell, d) <= 0 || next.tree == Tree::kSource) continue;
         next.tree = Tree::kSource;
@@ -257,50 +281,68 @@ class TwoTrees {
     }
   }
 
-  const int rows_, cols_;
-  const std::array<int32_t, 4> step_;
+  const int rows_, cols_, layers_;
+  std::array<int32_t, kNumDirections> step_{};
   std::vector<Cell> cells_;
   std::vector<int32_t> orphans_;
   std::array<Front, 2> front_;
   GridCutReport report_;
 };
 
+template <int kNumDirections>
+GridCutReport FindCutIn(const GridCutProblem& problem) {
+  TwoTrees<kNumDirections> trees(problem);
+  trees.Saturate();
+  return trees.TakeReport();
+}
+
+void RequireCapacities(const std::vector<int32_t>& capacity, size_t num_cells) {
+  ENFILADE_CHECK(capacity.size() == num_cells);
+  ENFILADE_CHECK(std::all_of(capacity.begin(), capacity.end(), [](int32_t value) {
+    return value >= 0 && value <= kMaxGridCapacity;
+  }));
+}
+
 void RequireValid(const GridCutProblem& problem) {
-  ENFILADE_CHECK(problem.rows >= 0 && problem.cols >= 0);
+  ENFILADE_CHECK(problem.rows >= 0 && problem.cols >= 0 && problem.layers >= 0);
   // Cells and the frame round them are numbered in 32 bits.
-  ENFILADE_CHECK((int64_t{problem.rows} + 2) * (int64_t{problem.cols} + 2) <=
-                 std::numeric_limits<int32_t>::max());
-  const size_t num_cells = problem.Index(problem.rows, 0);
-  for (const std::vector<int32_t>* capacity : {&problem.source_capacity, &problem.sink_capacity,
-                                               &problem.east_capacity, &problem.north_capacity}) {
-    ENFILADE_CHECK(capacity->size() == num_cells);
-    ENFILADE_CHECK(std::all_of(capacity->begin(), capacity->end(), [](int32_t value) {
-      return value >= 0 && value <= kMaxGridCapacity;
-    }));
-  }
+  constexpr int64_t kMaxCells = std::numeric_limits<int32_t>::max();
+  const int64_t num_framed_in_layer = (int64_t{problem.rows} + 2) * (int64_t{problem.cols} + 2);
+  ENFILADE_CHECK(num_framed_in_layer <= kMaxCells);
+  ENFILADE_CHECK(problem.layers == 1 ||
+                 int64_t{problem.layers} + 2 <= kMaxCells / num_framed_in_layer);
+  const size_t num_cells = problem.Index(0, 0, problem.layers);
+  RequireCapacities(problem.source_capacity, num_cells);
+  RequireCapacities(problem.sink_capacity, num_cells);
+  RequireCapacities(problem.east_capacity, num_cells);
+  RequireCapacities(problem.north_capacity, num_cells);
+  RequireCapacities(problem.up_capacity, problem.layers == 1 ? 0 : num_cells);
 }
 
 }  // namespace
 
 GridCutReport FindGridCut(const GridCutProblem& problem) {
   RequireValid(problem);
-  TwoTrees trees(problem);
-  trees.Saturate();
-  return trees.TakeReport();
+  return problem.layers == 1 ? FindCutIn<4>(problem) : FindCutIn<6>(problem);
 }
 
 int64_t CostOfCut(const GridCutProblem& problem, const std::vector<uint8_t>& is_source) {
-  ENFILADE_CHECK(is_source.size() == problem.Index(problem.rows, 0));
+  ENFILADE_CHECK(is_source.size() == problem.Index(0, 0, problem.layers));
   int64_t cost = 0;
-  for (int row = 0; row < problem.rows; ++row) {
-    for (int col = 0; col < problem.cols; ++col) {
-      const size_t i = problem.Index(row, col);
-      cost += is_source[i] != 0 ? problem.sink_capacity[i] : problem.source_capacity[i];
-      if (col + 1 < problem.cols && (is_source[i] != 0) != (is_source[i + 1] != 0))
-        cost += problem.east_capacity[i];
-      const size_t above = problem.Index(row + 1, col);
-      if (row + 1 < problem.rows && (is_source[i] != 0) != (is_source[above] != 0))
-        cost += problem.north_capacity[i];
+  const auto pay = [&](size_t a, size_t b, int32_t capacity) {
+    if ((is_source[a] != 0) != (is_source[b] != 0)) cost += capacity;
+  };
+  for (int layer = 0; layer < problem.layers; ++layer) {
+    for (int row = 0; row < problem.rows; ++row) {
+      for (int col = 0; col < problem.cols; ++col) {
+        const size_t i = problem.Index(row, col, layer);
+        cost += is_source[i] != 0 ? problem.sink_capacity[i] : problem.source_capacity[i];
+        if (col + 1 < problem.cols) pay(i, i + 1, problem.east_capacity[i]);
+        if (row + 1 < problem.rows)
+          pay(i, problem.Index(row + 1, col, layer), problem.north_capacity[i]);
+        if (layer + 1 < problem.layers)
+          pay(i, problem.Index(row, col, layer + 1), problem.up_capacity[i]);
+      }
     }
   }
   return cost;

@@ -62,6 +62,44 @@ GridCutProblem MakeCase(const benchmark::State& state, bool is_home) {
   return is_home ? MakeHome(rows, cols) : MakeNoise(rows, cols);
 }
 
+// The home's storey with walls as high as a room, floor and ceiling below and above all of it.
+GridCutProblem MakeHomeInSpace(int rows, int cols, int layers) {
+  const GridCutProblem plan = MakeHome(rows, cols);
+  GridCutProblem problem;
+  problem.rows = rows;
+  problem.cols = cols;
+  problem.layers = layers;
+  const size_t num_cells = problem.Index(0, 0, layers);
+  problem.source_capacity.assign(num_cells, 0);
+  problem.sink_capacity.assign(num_cells, 0);
+  for (auto* side : {&problem.east_capacity, &problem.north_capacity, &problem.up_capacity})
+    side->assign(num_cells, 400);
+  for (int layer = 2; layer + 2 < layers; ++layer) {
+    const bool is_slab = layer < 5 || layer + 5 >= layers;
+    for (size_t i = 0; i < plan.source_capacity.size(); ++i) {
+      const size_t to = problem.Index(0, 0, layer) + i;
+      const int32_t free = plan.source_capacity[i];
+      problem.source_capacity[to] = is_slab ? 0 : free;
+      problem.sink_capacity[to] = plan.sink_capacity[i] + (is_slab ? free : 0);
+    }
+  }
+  return problem;
+}
+
+void BM_FindGridCutInSpace(benchmark::State& state) {
+  const GridCutProblem problem =
+      MakeHomeInSpace(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+                      static_cast<int>(state.range(2)));
+  for (auto _ : state) benchmark::DoNotOptimize(FindGridCut(problem));
+}
+
+void BM_BoostInSpace(benchmark::State& state) {
+  BoostGridCut boost(MakeHomeInSpace(static_cast<int>(state.range(0)),
+                                     static_cast<int>(state.range(1)),
+                                     static_cast<int>(state.range(2))));
+  for (auto _ : state) benchmark::DoNotOptimize(boost.Solve());
+}
+
 void BM_FindGridCut(benchmark::State& state, bool is_home) {
   const GridCutProblem problem = MakeCase(state, is_home);
   GridCutReport report;
@@ -85,6 +123,9 @@ BENCHMARK_CAPTURE(BM_FindGridCut, Home, true)->Apply(Sizes);
 BENCHMARK_CAPTURE(BM_BoostBoykovKolmogorov, Home, true)->Apply(Sizes);
 BENCHMARK_CAPTURE(BM_FindGridCut, Noise, false)->Apply(Sizes);
 BENCHMARK_CAPTURE(BM_BoostBoykovKolmogorov, Noise, false)->Apply(Sizes);
+BENCHMARK(BM_FindGridCutInSpace)->Args({100, 100, 30})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_BoostInSpace)->Args({100, 100, 30})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_FindGridCutInSpace)->Args({300, 320, 60})->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace enfilade

@@ -34,18 +34,25 @@ struct BoostGridCut::Graph {
 };
 
 BoostGridCut::BoostGridCut(const GridCutProblem& problem) : graph_(new Graph) {
-  const size_t num_cells = problem.Index(problem.rows, 0);
+  const size_t num_cells = problem.Index(0, 0, problem.layers);
   graph_->adjacency = Adjacency(num_cells + 2);
   graph_->source = num_cells;
   graph_->sink = num_cells + 1;
-  for (int row = 0; row < problem.rows; ++row) {
-    for (int col = 0; col < problem.cols; ++col) {
-      const size_t i = problem.Index(row, col);
-      graph_->Connect(graph_->source, i, problem.source_capacity[i], 0);
-      graph_->Connect(i, graph_->sink, problem.sink_capacity[i], 0);
-      const int64_t east = problem.east_capacity[i], north = problem.north_capacity[i];
-      if (col + 1 < problem.cols) graph_->Connect(i, i + 1, east, east);
-      if (row + 1 < problem.rows) graph_->Connect(i, problem.Index(row + 1, col), north, north);
+  const auto join = [&](size_t a, size_t b, int64_t capacity) {
+    graph_->Connect(a, b, capacity, capacity);
+  };
+  for (int layer = 0; layer < problem.layers; ++layer) {
+    for (int row = 0; row < problem.rows; ++row) {
+      for (int col = 0; col < problem.cols; ++col) {
+        const size_t i = problem.Index(row, col, layer);
+        graph_->Connect(graph_->source, i, problem.source_capacity[i], 0);
+        graph_->Connect(i, graph_->sink, problem.sink_capacity[i], 0);
+        if (col + 1 < problem.cols) join(i, i + 1, problem.east_capacity[i]);
+        if (row + 1 < problem.rows)
+          join(i, problem.Index(row + 1, col, layer), problem.north_capacity[i]);
+        if (layer + 1 < problem.layers)
+          join(i, problem.Index(row, col, layer + 1), problem.up_capacity[i]);
+      }
     }
   }
 }

@@ -14,22 +14,23 @@
 namespace enfilade {
 namespace {
 
-GridCutProblem MakeProblem(int rows, int cols) {
+GridCutProblem MakeProblem(int rows, int cols, int layers = 1) {
   GridCutProblem problem;
   problem.rows = rows;
   problem.cols = cols;
-  const size_t num_cells = problem.Index(rows, 0);
+  problem.layers = layers;
+  const size_t num_cells = problem.Index(0, 0, layers);
   for (auto* capacity : {&problem.source_capacity, &problem.sink_capacity, &problem.east_capacity,
                          &problem.north_capacity}) {
     capacity->assign(num_cells, 0);
   }
+  if (layers != 1) problem.up_capacity.assign(num_cells, 0);
   return problem;
 }
 
 // Capacities up to `max_terminal` and `max_pair`; of each kind a share is 0.
-GridCutProblem RandomProblem(int rows, int cols, int max_terminal, int max_pair, double share,
+GridCutProblem RandomProblem(GridCutProblem problem, int max_terminal, int max_pair, double share,
                              std::mt19937& random) {
-  GridCutProblem problem = MakeProblem(rows, cols);
   const auto fill = [&](std::vector<int32_t>& capacity, int max) {
     for (int32_t& value : capacity) {
       const bool is_none = std::uniform_real_distribution<>(0, 1)(random) < share;
@@ -40,22 +41,23 @@ GridCutProblem RandomProblem(int rows, int cols, int max_terminal, int max_pair,
   fill(problem.sink_capacity, max_terminal);
   fill(problem.east_capacity, max_pair);
   fill(problem.north_capacity, max_pair);
+  fill(problem.up_capacity, max_pair);
   return problem;
 }
 
-GridCutProblem RandomProblem(std::mt19937& random, int max_side) {
+GridCutProblem RandomProblem(std::mt19937& random, int max_side, int max_layers = 1) {
   const auto pick = [&](int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
   };
   const int max_terminal = 1 << pick(0, 12), max_pair = 1 << pick(0, 12);
-  return RandomProblem(pick(1, max_side), pick(1, max_side), max_terminal, max_pair,
-                       0.3 * pick(0, 3), random);
+  return RandomProblem(MakeProblem(pick(1, max_side), pick(1, max_side), pick(1, max_layers)),
+                       max_terminal, max_pair, 0.3 * pick(0, 3), random);
 }
 
 // Every labelling in turn: the least cost, and the cells that all cheapest cuts put on the source's
 // side.
 GridCutReport BruteForce(const GridCutProblem& problem) {
-  const size_t num_cells = problem.Index(problem.rows, 0);
+  const size_t num_cells = problem.Index(0, 0, problem.layers);
   GridCutReport best;
   best.cost = std::numeric_limits<int64_t>::max();
   std::vector<uint8_t> is_source(num_cells);
@@ -77,6 +79,58 @@ TEST(GridCut, EqualsBruteForceOnTinyGrids) {
     const GridCutReport expected = BruteForce(problem), cut = FindGridCut(problem);
     ASSERT_EQ(cut.cost, expected.cost) << trial;
     ASSERT_EQ(cut.is_source, expected.is_source) << trial;
+  }
+}
+
+TEST(GridCut, EqualsBruteForceOnTinyGridsInSpace) {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 100; ++trial) {
+    const GridCutProblem problem = RandomProblem(random, trial % 2 == 0 ? 2 : 3, 4);
+    if (problem.source_capacity.size() > 16) continue;
+    const GridCutReport expected = BruteForce(problem), cut = FindGridCut(problem);
+    ASSERT_EQ(cut.cost, expected.cost) << trial;
+    ASSERT_EQ(cut.is_source, expected.is_source) << trial;
+  }
+}
+
+TEST(GridCut, EqualsBoostOnRandomGridsInSpace) {
+  std::mt19937 random(12);
+  for (int trial = 0; trial < 100; ++trial) {
+    const GridCutProblem problem = RandomProblem(random, 12, 12);
+    const GridCutReport cut = FindGridCut(problem);
+    ASSERT_EQ(cut.cost, BoostGridCut(problem).Solve()) << trial;
+    ASSERT_EQ(cut.cost, CostOfCut(problem, cut.is_source)) << trial;
+  }
+}
+
+// A wall between two layers costs what a wall between two columns costs.
+TEST(GridCut, TurnsLayersIntoColumns) {
+  std::mt19937 random(13);
+  for (int trial = 0; trial < 50; ++trial) {
+    const GridCutProblem problem = RandomProblem(random, 8, 8);
+    GridCutProblem turned = MakeProblem(problem.rows, problem.layers, problem.cols);
+    const auto index = [&](int row, int col, int layer) { return turned.Index(row, layer, col); };
+    for (int layer = 0; layer < problem.layers; ++layer) {
+      for (int row = 0; row < problem.rows; ++row) {
+        for (int col = 0; col < problem.cols; ++col) {
+          const size_t from = problem.Index(row, col, layer), to = index(row, col, layer);
+          turned.source_capacity[to] = problem.source_capacity[from];
+          turned.sink_capacity[to] = problem.sink_capacity[from];
+          turned.north_capacity[to] = problem.north_capacity[from];
+          if (problem.layers > 1) turned.east_capacity[to] = problem.up_capacity[from];
+          if (problem.cols > 1) turned.up_capacity[to] = problem.east_capacity[from];
+        }
+      }
+    }
+    const GridCutReport cut = FindGridCut(problem), other = FindGridCut(turned);
+    ASSERT_EQ(cut.cost, other.cost) << trial;
+    for (int layer = 0; layer < problem.layers; ++layer) {
+      for (int row = 0; row < problem.rows; ++row) {
+        for (int col = 0; col < problem.cols; ++col)
+          ASSERT_EQ(cut.is_source[problem.Index(row, col, layer)],
+                    other.is_source[index(row, col, layer)]);
+      }
+    }
   }
 }
 
@@ -199,6 +253,9 @@ TEST(GridCut, RefusesWrongProblems) {
   problem.east_capacity[1] = kMaxGridCapacity;
   problem.north_capacity.pop_back();
   EXPECT_THROW((void)FindGridCut(problem), std::logic_error);
+  GridCutProblem in_space = MakeProblem(2, 2, 2);
+  in_space.up_capacity.pop_back();
+  EXPECT_THROW((void)FindGridCut(in_space), std::logic_error);
 }
 
 }  // namespace
