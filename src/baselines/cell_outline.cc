@@ -3,6 +3,7 @@
 #include "src/baselines/cell_outline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "enfilade/base/check.h"
@@ -74,6 +75,10 @@ bool JoinCorner(int row, int col, ImageU8& cells) {
 }
 
 }  // namespace
+
+size_t CellsOf(double area_m2, double cell_m) {
+  return static_cast<size_t>(std::ceil(area_m2 / (cell_m * cell_m)));
+}
 
 void JoinCorners(ImageU8& cells) {
   // A cell that is set may touch another one at a corner that was passed already.

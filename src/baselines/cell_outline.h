@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "enfilade/floorplan/cells.h"
@@ -9,6 +10,9 @@
 #include "enfilade/optim/grid_loop.h"
 
 namespace enfilade {
+
+/// The number of cells that make up an area.
+[[nodiscard]] size_t CellsOf(double area_m2, double cell_m);
 
 /// Sets cells so that no two set cells touch at a corner alone: of the two others at such a corner
 /// the one in the lower row.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "enfilade/base/check.h"
@@ -16,11 +15,6 @@
 
 namespace enfilade {
 namespace {
-
-// The number of cells that make up an area.
-size_t CellsOf(double area_m2, const GridFrame& frame) {
-  return static_cast<size_t>(std::ceil(area_m2 / (frame.cell_m * frame.cell_m)));
-}
 
 ImageU8 InsideOf(const GridCutReport& cut, const GridFrame& frame) {
   ImageU8 inside(frame.rows, frame.cols);
@@ -52,11 +46,12 @@ MultiPolygon2 CutStorey(const EvidenceGrids& evidence, const PlaneCutOptions& op
   report.num_augmentations += cut.num_augmentations;
   ImageU8 inside = InsideOf(cut, evidence.frame);
   JoinCorners(inside);
-  FillSmallHoles(CellsOf(options.min_hole_m2, evidence.frame), inside);
+  FillSmallHoles(CellsOf(options.min_hole_m2, evidence.frame.cell_m), inside);
   MultiPolygon2 rooms;
   for (const CellSet& part : ConnectedCells(inside)) {
     ++report.num_parts;
-    if (part.size() < CellsOf(options.min_room_m2, evidence.frame) || !HoldsCamera(part, evidence))
+    if (part.size() < CellsOf(options.min_room_m2, evidence.frame.cell_m) ||
+        !HoldsCamera(part, evidence))
       continue;
     rooms.push_back(PolygonOf(part, evidence.frame));
   }
