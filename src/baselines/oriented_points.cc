@@ -92,7 +92,7 @@ std::vector<SurfaceSample> Thinned(const std::vector<SurfaceSample>& samples, do
 std::string ReasonForTooFew(const std::vector<SurfaceSample>& samples) {
   if (samples.size() >= kMinSurfacePoints) return {};
   return fmt::format(
-      "only {} points have a normal and a view within range, a surface takes at least {}",
+      "only {} points with a normal and a view lie within range and apart, a surface takes {}",
       samples.size(), kMinSurfacePoints);
 }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/baselines/surface_faces.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace enfilade {
 
@@ -25,6 +27,22 @@ void Describe(const Eigen::Vector3d& normal, const std::vector<StoreyStructure>&
     least = gap;
     face.storey_idx = static_cast<int>(i);
   }
+}
+
+BuildingModel ModelOf(const TriangleMesh& mesh, const std::vector<StoreyStructure>& storeys) {
+  BuildingModel model;
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    ModelFace face;
+    for (const int vertex : triangle)
+      face.vertices.push_back(mesh.vertices[static_cast<size_t>(vertex)]);
+    face.triangles = {{0, 1, 2}};
+    const Eigen::Vector3d across =
+        (face.vertices[1] - face.vertices[0]).cross(face.vertices[2] - face.vertices[0]);
+    if (!(across.norm() > 0)) continue;
+    Describe(across.normalized(), storeys, face);
+    model.faces.push_back(std::move(face));
+  }
+  return model;
 }
 
 }  // namespace enfilade

@@ -7,6 +7,7 @@
 
 #include "enfilade/model/types.h"
 #include "enfilade/structure/types.h"
+#include "src/baselines/mesh_section.h"
 
 namespace enfilade {
 
@@ -15,5 +16,9 @@ namespace enfilade {
 /// height lies between or nearest to.
 void Describe(const Eigen::Vector3d& normal, const std::vector<StoreyStructure>& storeys,
               ModelFace& face);
+
+/// A face for each triangle that has an area.
+[[nodiscard]] BuildingModel ModelOf(const TriangleMesh& mesh,
+                                    const std::vector<StoreyStructure>& storeys);
 
 }  // namespace enfilade

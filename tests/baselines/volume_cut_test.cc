@@ -111,8 +111,9 @@ TEST(CutVolume, SaysWhyThereIsNoSurface) {
     point.position.x() = std::numeric_limits<double>::quiet_NaN();
   const SurfaceReport report = Cut(rooms);
   EXPECT_EQ(report.outcome, SurfaceOutcome::kNoSurface);
-  EXPECT_EQ(report.reason,
-            "only 0 points have a normal and a view within range, a surface takes at least 100");
+  EXPECT_EQ(
+      report.reason,
+      "only 0 points with a normal and a view lie within range and apart, a surface takes 100");
   rooms.points.clear();
   EXPECT_EQ(Cut(rooms).outcome, SurfaceOutcome::kNoSurface);
 }
