@@ -12,9 +12,9 @@
 #include <string_view>
 #include <utility>
 
+#include "enfilade/base/child_program.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
-#include "src/sfm/child_program.h"
 #include "src/sfm/colmap_database.h"
 
 namespace enfilade {

@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/child_program.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/scene/virtual_view.h"
-#include "src/sfm/child_program.h"
 #include "src/sfm/colmap_database.h"
 #include "src/sfm/colmap_extractor.h"
 #include "src/sfm/feature_pool.h"

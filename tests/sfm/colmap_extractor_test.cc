@@ -11,7 +11,7 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
-#include "tests/sfm/fake_program.h"
+#include "tests/support/fake_program.h"
 #include "tests/support/temp_folder.h"
 
 namespace enfilade {

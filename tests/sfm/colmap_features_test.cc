@@ -21,8 +21,8 @@
 #include "src/sfm/colmap_database.h"
 #include "src/sfm/wall_matches.h"
 #include "tests/sfm/blob_panorama.h"
-#include "tests/sfm/fake_program.h"
 #include "tests/sfm/sql.h"
+#include "tests/support/fake_program.h"
 #include "tests/support/temp_folder.h"
 
 namespace enfilade {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "src/sfm/child_program.h"
+#include "enfilade/base/child_program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,11 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
-#include "tests/sfm/fake_program.h"
+#include "tests/support/fake_program.h"
 #include "tests/support/temp_folder.h"
 
 namespace enfilade {
@@ -100,6 +101,40 @@ TEST(RunProgram, IsKilledWithItsChildrenWhenTheCallerThrows) {
   const std::string text = ReadFile(pids);
   EXPECT_TRUE(IsGone(std::stoi(text)));
   EXPECT_TRUE(IsGone(std::stoi(text.substr(text.find('\n')))));
+}
+
+TEST(RunProgram, IsKilledWhenItTakesTooLong) {
+  const TempFolder folder;
+  const auto start = std::chrono::steady_clock::now();
+  const ProgramEnd end = RunProgram(FakeProgram(folder / "tool", "sleep 1000"), {}, folder / "log",
+                                    kDoNothing, {.seconds = 0.2});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+  EXPECT_EQ(end.excess, ProgramExcess::kTime);
+  EXPECT_FALSE(end.IsSuccess());
+}
+
+TEST(RunProgram, IsKilledWhenItTakesTooMuchMemory) {
+  const TempFolder folder;
+  // The shell keeps what it was told: 64 MB, doubled from a kilobyte.
+  const std::string program =
+      FakeProgram(folder / "tool",
+                  "a=$(printf %01024d 0); for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do "
+                  "a=$a$a; done; exec sleep 1000");
+  const ProgramEnd end =
+      RunProgram(program, {}, folder / "log", kDoNothing, {.seconds = 60, .memory_mb = 40});
+  EXPECT_EQ(end.excess, ProgramExcess::kMemory);
+  EXPECT_GT(end.peak_memory_mb, 40);
+}
+
+TEST(RunProgram, TellsThePeakOfTheProgramAlone) {
+  const TempFolder folder;
+  const std::vector<char> ours(size_t{200} << 20, 'x');  // resident here while the program starts
+  const ProgramEnd end = RunProgram("/bin/sleep", {"0.2"}, folder / "log", kDoNothing);
+  EXPECT_TRUE(end.IsSuccess());
+  EXPECT_EQ(end.excess, ProgramExcess::kNone);
+  EXPECT_GT(end.peak_memory_mb, 0.1);
+  EXPECT_LT(end.peak_memory_mb, 100);
+  EXPECT_EQ(ours.back(), 'x');
 }
 
 TEST(FindProgram, TakesPathsAsTheyAreAndSearchesForNames) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Enfilade authors
 // SPDX-License-Identifier: Apache-2.0
-#include "src/sfm/child_program.h"
+#include "enfilade/base/child_program.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 #include <thread>
 
@@ -22,6 +23,8 @@ namespace enfilade {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLookEvery{20};
 constexpr int kLooksPerCall = 10;
@@ -112,27 +115,49 @@ int WaitStatus(pid_t child) {
   return status;
 }
 
+// The most resident memory that a process has had, in MB; 0 when the system does not tell.
+double PeakMemoryMbOf(pid_t process) {
+  constexpr std::string_view kKey = "VmHWM:";
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(kKey)) return std::strtod(line.c_str() + kKey.size(), nullptr) * 1024e-6;
+  }
+  return 0;
+}
+
 // A program under way, killed with its process group on scope exit unless it ended.
 class Child {
  public:
   explicit Child(pid_t pid) : pid_(pid) {}
   ~Child() {
-    if (pid_ < 0) return;
-    ::kill(-pid_, SIGKILL);
-    WaitStatus(pid_);
+    if (pid_ >= 0) Kill();
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  ProgramEnd Wait(const std::function<void()>& on_wait) {
+  ProgramEnd Wait(const std::function<void()>& on_wait, const ProgramLimits& limits) {
+    const Clock::time_point start = Clock::now();
+    ProgramEnd end;
     int status = 0;
     for (int looks = 0; IsRunning(status); ++looks) {
       if (looks % kLooksPerCall == 0) on_wait();
+      end.peak_memory_mb = std::max(end.peak_memory_mb, PeakMemoryMbOf(pid_));
+      const std::chrono::duration<double> elapsed = Clock::now() - start;
+      if (elapsed.count() > limits.seconds) end.excess = ProgramExcess::kTime;
+      if (end.peak_memory_mb > limits.memory_mb) end.excess = ProgramExcess::kMemory;
+      if (end.excess != ProgramExcess::kNone) {
+        status = Kill();
+        break;
+      }
       std::this_thread::sleep_for(kLookEvery);
     }
     pid_ = -1;
-    if (WIFSIGNALED(status)) return {0, WTERMSIG(status)};
-    return {WEXITSTATUS(status), 0};
+    if (WIFSIGNALED(status)) {
+      end.signal = WTERMSIG(status);
+    } else {
+      end.exit_code = WEXITSTATUS(status);
+    }
+    return end;
   }
 
  private:
@@ -140,6 +165,11 @@ class Child {
   [[nodiscard]] bool IsRunning(int& status) const {
     const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
     return ended == 0 || (ended < 0 && errno == EINTR);
+  }
+
+  int Kill() const {
+    ::kill(-pid_, SIGKILL);
+    return WaitStatus(pid_);
   }
 
   pid_t pid_;
@@ -172,7 +202,8 @@ std::optional<fs::path> FindProgram(const std::string& program) {
 }
 
 ProgramEnd RunProgram(const fs::path& program, const std::vector<std::string>& arguments,
-                      const fs::path& log, const std::function<void()>& on_wait) {
+                      const fs::path& log, const std::function<void()>& on_wait,
+                      const ProgramLimits& limits) {
   std::vector<std::string> all_arguments{program.native()};
   all_arguments.insert(all_arguments.end(), arguments.begin(), arguments.end());
   const std::vector<std::string> environment = Environment();
@@ -200,7 +231,7 @@ ProgramEnd RunProgram(const fs::path& program, const std::vector<std::string>& a
   if (const int error = ReadStartError(errors.value()); error != 0) {
     ThrowStartError(program, error);
   }
-  return child.Wait(on_wait);
+  return child.Wait(on_wait, limits);
 }
 
 }  // namespace enfilade
