@@ -10,6 +10,7 @@
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
+#include "enfilade/image/resize.h"
 #include "src/evaluate/drawing.h"
 
 namespace enfilade {
@@ -65,18 +66,19 @@ ImageU8 Colored(const ImageF& error, double max_error,
   return rgb;
 }
 
-ImageU8 Resized(const ImageU8& rgb, int interpolation) {
+// Every pixel shown as it is.
+ImageU8 Enlarged(const ImageU8& rgb) {
   ImageU8 panel(kPanelHeight_px, kPanelWidth_px, 3);
   const cv::Mat from(rgb.rows(), rgb.cols(), CV_8UC3, const_cast<uint8_t*>(rgb.data().data()));
   cv::Mat to(panel.rows(), panel.cols(), CV_8UC3, panel.data().data());
-  cv::resize(from, to, to.size(), 0, 0, interpolation);
+  cv::resize(from, to, to.size(), 0, 0, cv::INTER_NEAREST);
   return panel;
 }
 
 // The panorama with a line wherever neighbouring pixels of the map see different faces.
 ImageU8 WithEdges(const ImageU8& rgb, const Image<int>& face_idx) {
-  ImageU8 panel =
-      rgb.empty() ? ImageU8(kPanelHeight_px, kPanelWidth_px, 3, 160) : Resized(rgb, cv::INTER_AREA);
+  ImageU8 panel = rgb.empty() ? ImageU8(kPanelHeight_px, kPanelWidth_px, 3, 160)
+                              : ReduceImage(rgb, kPanelHeight_px, kPanelWidth_px);
   const auto face_at = [&](int row, int col) {
     return face_idx(std::min(row, panel.rows() - 1) * face_idx.rows() / panel.rows(),
                     col % panel.cols() * face_idx.cols() / panel.cols());
@@ -167,16 +169,12 @@ std::string RenderErrorMapPng(const ModelErrorMap& map, const ImageU8& rgb,
   DrawPanel(cr, WithEdges(rgb, map.face_idx), y);
   DrawText(cr, kMargin_px, y + kPanelHeight_px + 18, "panorama with the edges of the model", 13);
   y += kStep_px;
-  DrawPanel(
-      cr, Resized(Colored(map.depth_error_m, kMaxDepthError_m, DepthColor), cv::INTER_NEAREST), y);
+  DrawPanel(cr, Enlarged(Colored(map.depth_error_m, kMaxDepthError_m, DepthColor)), y);
   DrawText(cr, kMargin_px, y + kPanelHeight_px + 18, "depth: model − truth along the ray", 13);
   DrawMarks(cr, y + kPanelHeight_px);
   DrawScale(cr, y + kPanelHeight_px, -1, 100 * kMaxDepthError_m, "cm", DepthColor);
   y += kStep_px;
-  DrawPanel(
-      cr,
-      Resized(Colored(map.normal_error_deg, kMaxNormalError_deg, NormalColor), cv::INTER_NEAREST),
-      y);
+  DrawPanel(cr, Enlarged(Colored(map.normal_error_deg, kMaxNormalError_deg, NormalColor)), y);
   DrawText(cr, kMargin_px, y + kPanelHeight_px + 18, "normals: angle between model and truth", 13);
   DrawMarks(cr, y + kPanelHeight_px);
   DrawScale(cr, y + kPanelHeight_px, 0, kMaxNormalError_deg, "°", NormalColor);

@@ -10,6 +10,8 @@
 
 #include "enfilade/base/errors.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/scene/surface_label.h"
+#include "enfilade/structure/label_tint.h"
 
 namespace enfilade {
 namespace {
@@ -23,9 +25,6 @@ struct Stage {
 constexpr std::array<Stage, 3> kStages = {{{"points", &LabelMaps::after_points},
                                            {"free_space", &LabelMaps::after_free_space},
                                            {"final", &LabelMaps::final_labels}}};
-// By SurfaceLabel.
-constexpr std::array<std::array<int, 3>, 4> kTints = {
-    {{0, 0, 0}, {60, 200, 60}, {200, 60, 60}, {60, 60, 220}}};
 constexpr int kJpegQuality = 85;
 
 fs::path MapFile(const fs::path& folder, int view_idx, std::string_view stage) {
@@ -48,8 +47,9 @@ std::optional<LabelMaps> ReadLabelMaps(const fs::path& folder, int view_idx) {
     map = ReadImageGray(file);
     const ImageU8& first = maps.*kStages.front().map;
     const bool has_shape = map.rows() == first.rows() && map.cols() == 2 * map.rows();
-    if (!has_shape || std::any_of(map.data().begin(), map.data().end(),
-                                  [](uint8_t value) { return value >= kTints.size(); })) {
+    if (!has_shape || std::any_of(map.data().begin(), map.data().end(), [](uint8_t value) {
+          return value >= EnumNames(SurfaceLabel()).size();
+        })) {
       throw InvalidInputError(file.native(), "is no label map of this panorama",
                               "run 'enfilade structure OUT' again");
     }
@@ -62,18 +62,8 @@ void WriteLabelPicture(const fs::path& folder, int view_idx, const LabelMaps& ma
   const int rows = maps.final_labels.rows(), cols = maps.final_labels.cols();
   ImageU8 sheet(static_cast<int>(kStages.size()) * rows, cols, 3);
   for (size_t k = 0; k < kStages.size(); ++k) {
-    const ImageU8& map = maps.*kStages[k].map;
-    for (int r = 0; r < rows; ++r) {
-      for (int c = 0; c < cols; ++c) {
-        const uint8_t label = map(r, c);
-        for (int i = 0; i < 3; ++i) {
-          const int colour = picture(r * picture.rows() / rows, c * picture.cols() / cols, i);
-          const int tint = kTints[label][static_cast<size_t>(i)];
-          sheet(static_cast<int>(k) * rows + r, c, i) =
-              static_cast<uint8_t>(label == 0 ? colour : (colour + tint) / 2);
-        }
-      }
-    }
+    const ImageU8 tinted = TintByLabels(picture, maps.*kStages[k].map);
+    std::copy(tinted.data().begin(), tinted.data().end(), sheet.row(static_cast<int>(k) * rows));
   }
   WriteImage(folder / fmt::format("labels_{:04}.jpg", view_idx), sheet, kJpegQuality);
 }

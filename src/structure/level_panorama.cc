@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
+#include "enfilade/image/resize.h"
 #include "enfilade/image/sampling.h"
 #include "enfilade/structure/types.h"
 
@@ -25,14 +25,8 @@ double AngularResolution(const Camera& camera) {
 // The picture reduced by area averaging so that one of its pixels is about one of the result's.
 ImageU8 Reduce(const ImageU8& picture, double scale) {
   if (scale >= 0.75) return picture;
-  const cv::Mat source(picture.rows(), picture.cols(), CV_8UC3,
-                       const_cast<uint8_t*>(picture.data().data()));
-  const int rows = std::max(1, static_cast<int>(std::lround(picture.rows() * scale)));
-  const int cols = std::max(1, static_cast<int>(std::lround(picture.cols() * scale)));
-  ImageU8 reduced(rows, cols, 3);
-  cv::Mat target(rows, cols, CV_8UC3, reduced.data().data());
-  cv::resize(source, target, target.size(), 0, 0, cv::INTER_AREA);
-  return reduced;
+  return ReduceImage(picture, std::max(1, static_cast<int>(std::lround(picture.rows() * scale))),
+                     std::max(1, static_cast<int>(std::lround(picture.cols() * scale))));
 }
 
 ImageU8 ReadMask(const View& view) {
