@@ -15,6 +15,19 @@ MultiPolygon2 NetRegion(const JudgedPlan& plan) {
   return Union(all);
 }
 
+MultiPolygon2 TrueRegion(const GroundTruth& truth, const Rigid3& frame_from_truth) {
+  MultiPolygon2 region = NetRegion(JudgedPlanOf(truth));
+  const auto move = [&](Ring2& ring) {
+    for (Eigen::Vector2d& p : ring)
+      p = (frame_from_truth * Eigen::Vector3d(p.x(), p.y(), 0)).head<2>();
+  };
+  for (Polygon2& part : region) {
+    move(part.outer);
+    for (Ring2& hole : part.holes) move(hole);
+  }
+  return region;
+}
+
 MultiPolygon2 GrossRegion(const MultiPolygon2& net) {
   return CloseRegion(net, kGrossClosingRadius_m, kGrossMaxHole_m2);
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "enfilade/geometry/angles.h"
 #include "tests/evaluate/small_home.h"
 
@@ -15,6 +17,17 @@ constexpr double kGross_m2 = 8.1 * 4.6;
 
 JudgedPlan PlanOf(const std::vector<Ring2>& rooms) {
   return JudgedPlanOf(MakePlan(rooms, SmallHomeDoors()));
+}
+
+TEST(TrueRegion, IsTheTruthInAnotherFrame) {
+  const SmallHome home = MakeSmallHome();
+  const Rigid3 frame_from_truth{RotationZ(kPi / 2), Eigen::Vector3d(10, 0, 5)};
+  const MultiPolygon2 region = TrueRegion(home.truth, frame_from_truth);
+  EXPECT_NEAR(Area(region), kNet_m2, 1e-6);
+  // (2, 1.5), in the first room.
+  EXPECT_TRUE(std::any_of(region.begin(), region.end(), [](const Polygon2& part) {
+    return Contains(part, Eigen::Vector2d(8.5, 2));
+  }));
 }
 
 TEST(EvaluateRegions, TruthAgainstItselfIsPerfect) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "enfilade/evaluate/judged_plan.h"
+#include "enfilade/exchange/ground_truth.h"
+#include "enfilade/geometry/rigid3.h"
 
 namespace enfilade {
 
@@ -13,6 +15,9 @@ inline constexpr double kGrossMaxHole_m2 = 1.0;
 
 /// Union of the rooms' interiors: no wall bodies.
 [[nodiscard]] MultiPolygon2 NetRegion(const JudgedPlan& plan);
+
+/// The net region of the truth in another frame, which differs by a turn about z and a shift.
+[[nodiscard]] MultiPolygon2 TrueRegion(const GroundTruth& truth, const Rigid3& frame_from_truth);
 
 /// The net region with the walls inside it: closed with a disc, small enclosed holes filled.
 [[nodiscard]] MultiPolygon2 GrossRegion(const MultiPolygon2& net);
