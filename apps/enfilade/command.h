@@ -39,7 +39,7 @@ Action SetupFloorplan(CLI::App& parser);
 Action SetupModel(CLI::App& parser);
 Action SetupExport(CLI::App& parser);
 Action SetupEvaluate(CLI::App& parser);
-Action SetupBaseline(CLI::App& parser);
+Action SetupCompare(CLI::App& parser);
 Action SetupSynth(CLI::App& parser);
 Action SetupConfig(CLI::App& parser);
 Action SetupDoctor(CLI::App& parser);

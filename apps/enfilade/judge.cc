@@ -125,12 +125,12 @@ std::string FigureText(const std::optional<double>& figure) {
   return figure ? fmt::format("{:.3f}", *figure) : "n/a";
 }
 
-JudgedPlan JudgePlan(const Results& results, const Floorplan& plan, const GroundTruth& truth,
-                     RunContext& context) {
+JudgedResult JudgePlan(const Results& results, const Floorplan& plan, const BuildingModel* model,
+                       const GroundTruth& truth, RunContext& context) {
   const EvaluationInput input{.scene = &*results.scene,
                               .structure = nullptr,
                               .floorplan = &plan,
-                              .model = nullptr,
+                              .model = model,
                               .label_source = {},
                               .model_error_sink = {}};
   return {input, Evaluate(input, truth, EvaluateOptions{}, context)};
@@ -142,7 +142,7 @@ void WritePlan(const std::filesystem::path& folder, const Floorplan& plan,
   WriteFloorplanJson(folder / "floorplan.json", plan, provenance);
 }
 
-void WriteJudgement(const std::filesystem::path& folder, const JudgedPlan& judged,
+void WriteJudgement(const std::filesystem::path& folder, const JudgedResult& judged,
                     const GroundTruth& truth) {
   WriteFileAtomic(folder / "overlay.png", RenderOverlayPng(judged.input, truth, judged.report));
   WriteJsonFile(folder / "evaluation.json", ReportToJson(judged.report));
@@ -167,7 +167,7 @@ MetricReport JudgePerfectProfiles(const Workspace& workspace, const Manifest& ma
              {"seed", manifest.seed},
              {"profiles", "the truth's"},
              {"options", OptionsToJson(VisitorOf(options))}});
-  const JudgedPlan judged = JudgePlan(results, plan, truth, context);
+  const JudgedResult judged = JudgePlan(results, plan, nullptr, truth, context);
   WriteJudgement(folder, judged, truth);
   return judged.report.figures;
 }

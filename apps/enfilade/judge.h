@@ -43,21 +43,24 @@ MetricReport JudgeResults(const Workspace& workspace, const Manifest& manifest,
 /// A figure with three digits for a table; n/a for none.
 [[nodiscard]] std::string FigureText(const std::optional<double>& figure);
 
-/// Another plan of the same home, judged. Refers to the plan and the results it was made from.
-struct JudgedPlan {
+/// Another plan of the same home, judged. Refers to the plan, the model and the results it was made
+/// from.
+struct JudgedResult {
   EvaluationInput input;
   EvaluationReport report;
 };
 
-[[nodiscard]] JudgedPlan JudgePlan(const Results& results, const Floorplan& plan,
-                                   const GroundTruth& truth, RunContext& context);
+/// `model` may be null; its home frame is the plan's.
+[[nodiscard]] JudgedResult JudgePlan(const Results& results, const Floorplan& plan,
+                                     const BuildingModel* model, const GroundTruth& truth,
+                                     RunContext& context);
 
 /// Writes plan.svg and floorplan.json into the folder, which is made. Throws IoError.
 void WritePlan(const std::filesystem::path& folder, const Floorplan& plan,
                const nlohmann::json& provenance);
 
 /// Writes overlay.png and evaluation.json into the folder. Throws IoError.
-void WriteJudgement(const std::filesystem::path& folder, const JudgedPlan& judged,
+void WriteJudgement(const std::filesystem::path& folder, const JudgedResult& judged,
                     const GroundTruth& truth);
 
 /// Draws, judges and writes into OUT/perfect the plan that the stages after structure make, with

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/enfilade/baseline.h"
 #include "apps/enfilade/command.h"
+#include "apps/enfilade/contenders.h"
 #include "apps/enfilade/synth_home.h"
 #include "enfilade/base/options.h"
 #include "enfilade/pipeline/options.h"
@@ -82,9 +82,9 @@ std::string CommandReference() {
       "JSON file with `--config FILE` (`enfilade config --json` prints one with all of them). The\n"
       "command line wins over the file.\n\n";
   text += OptionsReference(VisitorOf(defaults));
-  BaselineCommandOptions baseline_defaults;
-  text += "\n## Options of baseline\n\nAs above, for `baseline`.\n\n" +
-          OptionsReference(VisitorOf(baseline_defaults));
+  CompareCommandOptions compare_defaults;
+  text += "\n## Options of compare\n\nAs above, for `compare`.\n\n" +
+          OptionsReference(VisitorOf(compare_defaults));
   SynthOptions synth_defaults;
   return text + "\n## Options of synth\n\nAs above, for `synth`.\n\n" +
          OptionsReference(VisitorOf(synth_defaults));

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 // What belongs to no stage and judges or explains results, or stands beside them.
 const std::vector<fs::path> kJudgements = {"evaluation.json", "overlay.png", "error_maps",
-                                           "baselines",       "perfect",     "explain.svg",
+                                           "compare",         "perfect",     "explain.svg",
                                            "explain.png"};
 
 size_t StageIndex(std::string_view name) {

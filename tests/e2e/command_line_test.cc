@@ -22,7 +22,7 @@ TEST(CommandLine, AlonePrintsTheCommandsInFlowOrder) {
   size_t last = 0;
   for (const std::string command :
        {"\n  run", "\n  sfm", "\n  structure", "\n  evidence", "\n  floorplan", "\n  model",
-        "\n  export", "\n  evaluate", "\n  baseline", "\n  why", "\n  doctor", "\n  config",
+        "\n  export", "\n  evaluate", "\n  compare", "\n  why", "\n  doctor", "\n  config",
         "\n  version"}) {
     const size_t at = result.out.find(command);
     ASSERT_NE(at, std::string::npos) << command << result.out;

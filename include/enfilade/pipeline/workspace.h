@@ -43,8 +43,8 @@ class Workspace {
   [[nodiscard]] std::filesystem::path leave_one_out_folder() const {
     return root_ / "leave_one_out";
   }
-  /// Plans that rival methods draw from the same structure, a folder each.
-  [[nodiscard]] std::filesystem::path baselines_folder() const { return root_ / "baselines"; }
+  /// What rival methods make of the same structure, a folder each, and the page that compares them.
+  [[nodiscard]] std::filesystem::path compare_folder() const { return root_ / "compare"; }
   /// The plan that the true wall profiles lead to.
   [[nodiscard]] std::filesystem::path perfect_folder() const { return root_ / "perfect"; }
   /// What 'enfilade why' draws of a wall; the storey stands in the name but for storey 0.
