@@ -9,6 +9,8 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs features2d)
 find_package(CGAL REQUIRED)
 include(CGAL_Eigen3_support)
+find_package(GLPK REQUIRED)  # CGAL's module
+include(CGAL_GLPK_support)
 find_package(Ceres REQUIRED)
 find_package(Boost REQUIRED)
 find_package(SQLite3 REQUIRED)

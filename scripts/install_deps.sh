@@ -10,7 +10,7 @@ packages=(
   g++ cmake ninja-build pkg-config python3
   libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libssl-dev
   libopencv-dev libcgal-dev libboost-dev libceres-dev libgeos-dev libpugixml-dev libembree-dev
-  libcli11-dev libtinygltf-dev libcairo2-dev libsqlite3-dev
+  libcli11-dev libtinygltf-dev libcairo2-dev libsqlite3-dev libglpk-dev
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 

@@ -3,6 +3,7 @@
 #include "enfilade/baselines/poisson_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/poisson_surface_reconstruction.h>
@@ -56,6 +57,7 @@ TriangleMesh TurnedMesh(const Mesh& mesh) {
 // Empty, with the reason, where there is no surface.
 TriangleMesh Reconstruct(const std::vector<SurfaceSample>& samples, const PoissonOptions& options,
                          std::string& reason) {
+  CGAL::get_default_random() = CGAL::Random(0);  // else the mesher begins differently every time
   const std::vector<PointWithNormal> points = PointsOf(samples);
   Mesh mesh;
   try {

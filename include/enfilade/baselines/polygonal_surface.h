@@ -19,6 +19,7 @@ struct PolygonalOptions {
   double max_angle_deg = 25;
   double min_plane_m2 = 0.5;
   int max_planes = 40;
+  int max_nodes = 10000;
   double fitting = 0.43;
   double coverage = 0.27;
   double complexity = 0.3;
