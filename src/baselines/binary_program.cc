@@ -68,6 +68,16 @@ Problem MakeProblem(BinaryProgram& program) {
   return problem;
 }
 
+bool AreKept(const std::vector<BinaryProgram::Row>& rows, const std::vector<uint8_t>& x) {
+  constexpr double kTolerance = 1e-6;
+  return std::all_of(rows.begin(), rows.end(), [&](const BinaryProgram::Row& row) {
+    double sum = 0;
+    for (const auto& [variable, value] : row.coefficients)
+      sum += value * x[static_cast<size_t>(variable)];
+    return sum >= row.min - kTolerance && sum <= row.max + kTolerance;
+  });
+}
+
 }  // namespace
 
 BinaryProgramReport SolveBinaryProgram(BinaryProgram program, int max_nodes, RunContext& context) {
@@ -94,6 +104,8 @@ BinaryProgramReport SolveBinaryProgram(BinaryProgram program, int max_nodes, Run
     report.cost = glp_mip_obj_val(problem.get());
     for (size_t i = 0; i < program.objective.size(); ++i)
       report.x.push_back(glp_mip_col_val(problem.get(), static_cast<int>(i) + 1) > 0.5);
+    if (!AreKept(program.rows, report.x))
+      report = {.x = {}, .cost = 0, .reason = "GLPK's answer breaks a constraint"};
   }
   return report;
 }

@@ -9,6 +9,10 @@
 #include <CGAL/poisson_surface_reconstruction.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "src/baselines/mesh_section.h"
@@ -37,20 +41,25 @@ std::vector<PointWithNormal> PointsOf(const std::vector<SurfaceSample>& samples)
   return points;
 }
 
-// Turns the triangles to the inside.
+// Turns the triangles to the inside. CGAL's order hangs on addresses, so both lists are sorted.
 TriangleMesh TurnedMesh(const Mesh& mesh) {
+  std::map<Kernel::Point_3, int> index_of;
+  for (const Mesh::Vertex_index vertex : mesh.vertices()) index_of.emplace(mesh.point(vertex), 0);
   TriangleMesh turned;
-  for (const Mesh::Vertex_index vertex : mesh.vertices()) {
-    const Kernel::Point_3& p = mesh.point(vertex);
+  for (auto& [p, index] : index_of) {
+    index = static_cast<int>(turned.vertices.size());
     turned.vertices.emplace_back(p.x(), p.y(), p.z());
   }
   for (const Mesh::Face_index face : mesh.faces()) {
     std::array<int, 3> triangle{};
     size_t k = 3;
     for (const Mesh::Vertex_index vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-      triangle[--k] = static_cast<int>(vertex.idx());
+      triangle[--k] = index_of.at(mesh.point(vertex));
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                triangle.end());
     turned.triangles.push_back(triangle);
   }
+  std::sort(turned.triangles.begin(), turned.triangles.end());
   return turned;
 }
 

@@ -49,8 +49,8 @@ using Reconstruction = CGAL::Polygonal_surface_reconstruction<Kernel>;
 
 // A closed body has at least so many faces.
 constexpr size_t kMinPlanes = 4;
-// Points of one plane are neighbours within this many sides of the cubes that they are thinned to:
-// the diagonal of two cubes, so that an empty one does not part them.
+// Points of one plane are neighbours within this many sides of the cubes that they are thinned to,
+// so that an empty cube does not part them.
 constexpr double kNeighborRadius = 3;
 
 // CGAL makes its solver itself, so what the solver is to look at it finds here.
@@ -126,23 +126,31 @@ struct PolygonSoup {
   std::vector<std::vector<size_t>> polygons;
 };
 
+// CGAL's order hangs on addresses, so points and polygons are sorted.
 PolygonSoup SoupOf(const Mesh& mesh) {
   PolygonSoup soup;
   std::map<Kernel::Point_3, size_t> index_of;
+  for (const Mesh::Vertex_index vertex : mesh.vertices()) index_of.emplace(mesh.point(vertex), 0);
+  for (auto& [point, index] : index_of) {
+    index = soup.points.size();
+    soup.points.push_back(point);
+  }
   for (const Mesh::Face_index face : mesh.faces()) {
     std::vector<size_t>& polygon = soup.polygons.emplace_back();
-    for (const Mesh::Vertex_index vertex : mesh.vertices_around_face(mesh.halfedge(face))) {
-      const auto [at, is_new] = index_of.emplace(mesh.point(vertex), soup.points.size());
-      if (is_new) soup.points.push_back(mesh.point(vertex));
-      polygon.push_back(at->second);
-    }
+    for (const Mesh::Vertex_index vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+      polygon.push_back(index_of.at(mesh.point(vertex)));
+    std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   }
+  std::sort(soup.polygons.begin(), soup.polygons.end());
   CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
   return soup;
 }
 
+// Rounded to 1 µm: the last digits of CGAL's fits hang on addresses.
 Vector3d PositionOf(const Kernel::Point_3& p) {
-  return TurnedFromHome().transpose() * Vector3d(p.x(), p.y(), p.z());
+  constexpr double kPerMetre = 1e6;
+  const Vector3d position = TurnedFromHome().transpose() * Vector3d(p.x(), p.y(), p.z());
+  return (kPerMetre * position).array().round() / kPerMetre;
 }
 
 // Twice the polygon's area along its normal.

@@ -12,6 +12,7 @@
 
 namespace enfilade {
 
+/// The mesh's bounds are those of CGAL's own example.
 struct PoissonOptions {
   double spacing_m = 0.1;
   double max_range_m = 15;
@@ -24,7 +25,17 @@ struct PoissonOptions {
   void Visit(OptionVisitor& v);
 };
 
-/// Poisson surface reconstruction.
+/// A rival without planes: the surface whose indicator function has the points' normals as
+/// gradient, meshed by Delaunay refinement (CGAL). A face of the model is a triangle.
+///
+/// One thread is used, and nothing is random. Where CGAL's mesher has a choice it goes by
+/// addresses: a new process gives the same bytes, a second call in one process may set single
+/// triangles otherwise. Fewer than kMinSurfacePoints oriented points, thinned, and points without a
+/// surface give kNoSurface and the reason. Requires one profile a view. Throws StoppedError, before
+/// and after CGAL's work alone, and what AccumulateEvidence throws. About 30 s and 0.9 GB for 60
+/// 000 points.
+///
+/// Kazhdan, Bolitho & Hoppe, "Poisson Surface Reconstruction" (SGP 2006).
 [[nodiscard]] SurfaceReport ReconstructPoisson(const Scene& scene, const Structure& structure,
                                                const std::vector<ScenePoint>& points,
                                                const PoissonOptions& options, RunContext& context);
