@@ -356,7 +356,7 @@ class StoreySolver {
   [[nodiscard]] ColumnScores CeilingScores(const ViewWork& work) const {
     // A centimetre of the ceiling's height is worth more of the distance than one of the floor's,
     // so the ceiling line says which wall it is and the floor line where.
-    const double above_m = work.ceiling.ceiling_z - work.position.z();
+    const double above_m = work.ceiling.line_z - work.position.z();
     const double reach = kCeilingError_m / above_m / bins_.log_step;
     return WidenScores(ScoreLine(work.response, -above_m, bins_),
                        static_cast<int>(std::lround(reach)));

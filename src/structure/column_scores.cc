@@ -12,15 +12,22 @@
 namespace enfilade {
 namespace {
 
+// How far a cornice stands out for its height: mouldings are set at 38° (0.78) or 45° (1).
+constexpr double kCorniceDepth = 0.8;
+// What stands before a wall is no nearer than this.
+constexpr double kNearest_m = 0.05;
+
 // Rows of the response that a bin of distance covers.
 struct RowRange {
   double center;
   int first, last;  // whole rows strictly inside the bin; empty when first > last
 };
 
-std::vector<RowRange> RowsOfBins(int rows, double height_m, const DistanceBins& bins) {
+std::vector<RowRange> RowsOfBins(int rows, double height_m, double before_m,
+                                 const DistanceBins& bins) {
   const auto row = [&](double bin) {
-    return rows * (0.5 + std::atan(height_m / bins.Distance(bin)) / kPi) - 0.5;
+    const double distance_m = std::max(kNearest_m, bins.Distance(bin) - before_m);
+    return rows * (0.5 + std::atan(height_m / distance_m) / kPi) - 0.5;
   };
   std::vector<RowRange> ranges;
   for (int b = 0; b < bins.count; ++b) {
@@ -124,12 +131,13 @@ std::vector<double> DistanceBins::Centers() const {
   return centers;
 }
 
-ColumnScores ScoreLine(const LineResponse& response, double height_m, const DistanceBins& bins) {
+ColumnScores ScoreLine(const LineResponse& response, double height_m, const DistanceBins& bins,
+                       double before_m) {
   ColumnScores scores;
   for (int f = 0; f < kNumFamilies; ++f) {
     const ImageU8& picture = response.family[static_cast<size_t>(f)];
     if (picture.empty()) continue;
-    const std::vector<RowRange> ranges = RowsOfBins(picture.rows(), height_m, bins);
+    const std::vector<RowRange> ranges = RowsOfBins(picture.rows(), height_m, before_m, bins);
     ImageF score(picture.cols(), bins.count);
     for (int c = 0; c < picture.cols(); ++c) {
       for (int b = 0; b < bins.count; ++b) {
@@ -148,6 +156,15 @@ ColumnScores ScoreFloor(const LineResponse& response, double floor_m, const Base
   ColumnScores both;
   AddScores(floor, 1 - baseboard.share, both);
   AddScores(ScoreLine(response, floor_m - baseboard.height_m, bins), baseboard.share, both);
+  return both;
+}
+
+ColumnScores ScoreCeiling(const LineResponse& response, double above_m, double cornice_m,
+                          const DistanceBins& bins) {
+  if (cornice_m <= 0) return ScoreLine(response, -above_m, bins);
+  ColumnScores both;
+  AddScores(ScoreLine(response, -above_m, bins, kCorniceDepth * cornice_m), 0.5, both);
+  AddScores(ScoreLine(response, cornice_m - above_m, bins), 0.5, both);
   return both;
 }
 

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "enfilade/structure/line_response.h"
+#include "enfilade/structure/types.h"
 #include "tests/structure/box_room.h"
 
 namespace enfilade {
@@ -183,6 +186,65 @@ TEST(EstimateCeilings, TheTopsOfCabinetsAreNoCeiling) {
     }
   }
   EXPECT_NEAR(Ceilings({view}, {{}}, 0.07)[0].ceiling_z, 2.6, 0.03);
+}
+
+// Of a moulding in the angle of wall and ceiling the upper edge runs before the wall, the lower one
+// below the ceiling. Whichever is clearer, the ceiling is where the upper one runs.
+TEST(EstimateCeilings, ACorniceHangsBelowTheCeiling) {
+  constexpr double kCornice_m = 0.09, kDepth_m = 0.07;
+  const BoxRoom room = RoomWith(0, 2.6, 0.07);
+  for (const auto& [lower, upper] : {std::pair{160, 255}, {255, 255}, {255, 160}}) {
+    std::vector<PerfectView> views = {PerfectView(room, {1.2, 1.1, 1.4}, false),
+                                      PerfectView(room, {2.4, 2.0, 1.4}, false)};
+    for (PerfectView& view : views) {
+      ColumnTruth before = view.truth;
+      for (size_t c = 0; c < before.wall_m.size(); ++c) {
+        const double off =
+            WallDirection(before.family[c], AzimuthOfColumn(static_cast<int>(c), kColumns)) -
+            AzimuthOfColumn(static_cast<int>(c), kColumns);
+        before.wall_m[c] -= kDepth_m / std::abs(std::sin(off));
+      }
+      const LineResponse low = PerfectResponse(view.truth, kRows, {2.6 - kCornice_m - 1.4});
+      const LineResponse high = PerfectResponse(before, kRows, {2.6 - 1.4});
+      for (const size_t f : {0, 1}) {
+        for (size_t i = 0; i < low.family[f].data().size(); ++i) {
+          uint8_t& response = view.response.family[f].data()[i];
+          response =
+              static_cast<uint8_t>(std::max({int{response}, low.family[f].data()[i] * lower / 255,
+                                             high.family[f].data()[i] * upper / 255}));
+        }
+      }
+    }
+    for (const CeilingEstimate& ceiling : Ceilings(views, {{{1}}, {{0}}}, 0.07)) {
+      EXPECT_NEAR(ceiling.ceiling_z, 2.6, 0.025) << lower << " and " << upper;
+      EXPECT_NEAR(ceiling.cornice_m, kCornice_m, 0.025) << lower << " and " << upper;
+    }
+  }
+}
+
+TEST(EstimateCeilings, ALineAloneIsNoCornice) {
+  const BoxRoom room = RoomWith(0, 2.45, 0.07);
+  for (const CeilingEstimate& ceiling :
+       Ceilings({PerfectView(room, {1.2, 1.1, 1.4}), PerfectView(room, {2.4, 2.0, 1.4})},
+                {{{1}}, {{0}}}, 0.07)) {
+    EXPECT_EQ(ceiling.cornice_m, 0);
+    EXPECT_EQ(ceiling.ceiling_z, ceiling.line_z);
+  }
+}
+
+// A wide opening shows so much of the next room that its panoramas pass for mates.
+TEST(EstimateCeilings, ManyMatesOfTheNextRoomDoNotOutvoteAClearCeiling) {
+  const BoxRoom low = RoomWith(0, 2.33, 0.07), high = RoomWith(0, 2.75, 0.07);
+  const std::vector<CeilingEstimate> ceilings =
+      Ceilings({PerfectView(high, {1.7, 0.9, 1.4}), PerfectView(low, {1.2, 1.1, 1.4}),
+                PerfectView(low, {2.4, 2.0, 1.4}), PerfectView(low, {2.0, 1.2, 1.4})},
+               {{{1, 0.8}, {2, 0.9}, {3, 0.7}},
+                {{0, 0.8}, {2}, {3}},
+                {{0, 0.9}, {1}, {3}},
+                {{0, 0.7}, {1}, {2}}},
+               0.07);
+  EXPECT_NEAR(ceilings[0].ceiling_z, 2.75, 0.03);
+  EXPECT_NEAR(ceilings[1].ceiling_z, 2.33, 0.03);
 }
 
 TEST(EstimateCeilings, NoLevelCeilingHasNoWeight) {

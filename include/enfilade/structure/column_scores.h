@@ -37,10 +37,10 @@ struct ColumnScores {
   std::vector<ImageF> family = std::vector<ImageF>(kNumFamilies);
 };
 
-/// Response of the line at `height_m` below the camera (negative: above it) as a function of
-/// distance.
+/// Response of the line at `height_m` below the camera (negative: above it) and `before_m` in front
+/// of the wall as a function of the wall's distance.
 [[nodiscard]] ColumnScores ScoreLine(const LineResponse& response, double height_m,
-                                     const DistanceBins& bins);
+                                     const DistanceBins& bins, double before_m = 0);
 
 /// The strongest score within `reach` bins to either side: for lines at a height that is not known
 /// exactly.
@@ -57,6 +57,12 @@ struct Baseboard {
 /// for the floor biases every distance.
 [[nodiscard]] ColumnScores ScoreFloor(const LineResponse& response, double floor_m,
                                       const Baseboard& baseboard, const DistanceBins& bins);
+
+/// Response of the ceiling line at `above_m` above the camera. Where a cornice of `cornice_m` runs
+/// between wall and ceiling (0: none), the mean of its two edges: the upper one on the ceiling,
+/// before the wall, the lower one on the wall, below the ceiling.
+[[nodiscard]] ColumnScores ScoreCeiling(const LineResponse& response, double above_m,
+                                        double cornice_m, const DistanceBins& bins);
 
 struct FloorEndOptions {
   double weight = 0.8;

@@ -23,6 +23,7 @@ struct HeightOptions {
   double max_room_m = 4.2;
   double step_m = 0.02;
   double max_baseboard_m = 0.14;
+  double max_cornice_m = 0.12;
   double typical_room_m = 2.5;
   double typical_room_sigma_m = 0.2;
   double home_weight = 0.5;
@@ -42,6 +43,7 @@ struct HeightOptions {
     v("step_m", step_m, "Step of the coarse search for heights, metres.", {0.005, 0.5});
     v("max_baseboard_m", max_baseboard_m, "Tallest baseboard, metres; 0 looks for none.",
       {0.0, 0.5});
+    v("max_cornice_m", max_cornice_m, "Tallest cornice, metres; 0 looks for none.", {0.0, 0.5});
     v("typical_room_m", typical_room_m, "Usual height of a room, metres.", {1.5, 20.0});
     v("typical_room_sigma_m", typical_room_sigma_m,
       "Standard deviation of the rooms' heights about it, metres.", {0.01, 10.0});
@@ -79,7 +81,11 @@ struct FloorEstimate {
 
 struct CeilingEstimate {
   double ceiling_z = 0;
-  double weight = 1;  ///< 0–1: how clearly the ceiling is one level plane
+  /// Where the clearest line about the ceiling would lie on the walls: the ceiling's, or an edge of
+  /// a cornice.
+  double line_z = 0;
+  double cornice_m = 0;  ///< height of the moulding between wall and ceiling, 0 for none
+  double weight = 1;     ///< 0–1: how clearly the ceiling is one level plane
 };
 
 /// A panorama that may stand in the same room as another.
@@ -91,8 +97,10 @@ struct RoomMate {
 /// The ceiling over each panorama. Score curves over the height are pooled with those of the
 /// panoramas in the same room (`room_mates[i]` lists them) and of the whole home, and with what
 /// rooms usually measure: one panorama alone errs by up to half a metre in a closet, and takes the
-/// tops of cabinets for a ceiling. Things may stand before walls (`obstacle`; null: nothing does),
-/// or the ceiling would be sought where it meets the front of the furniture.
+/// tops of cabinets for a ceiling. A mate counts against no height by more than a bound, as it may
+/// stand in the next room after all. Things may stand before walls (`obstacle`; null: nothing
+/// does), or the ceiling would be sought where it meets the front of the furniture. The line that
+/// wins may be either edge of a cornice: both are then sought together.
 [[nodiscard]] std::vector<CeilingEstimate> EstimateCeilings(
     std::span<const HeightView> views, const FloorEstimate& floor,
     const std::vector<std::vector<RoomMate>>& room_mates, const ObstacleOptions* obstacle,
