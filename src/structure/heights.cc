@@ -46,7 +46,7 @@ constexpr double kMinShoulder_m = 0.07;
 constexpr double kMinShoulder = 0.03;
 // The most that a room mate counts against a ceiling, mean response: a ceiling that one panorama
 // sees clearly gains more over any other.
-constexpr double kMateLoss = 0.08;
+constexpr double kMateLoss = 0.1;
 // No ceiling is nearer above a camera.
 constexpr double kLeastAbove_m = 0.2;
 // Panoramas whose ceilings differ by less have the same one.
