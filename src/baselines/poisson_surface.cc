@@ -112,10 +112,10 @@ SurfaceReport ReconstructPoisson(const Scene& scene, const Structure& structure,
   if (!report.reason.empty()) return report;
   context.CheckStop();
   report.model = ModelOf(mesh, structure.storeys);
-  std::vector<MultiPolygon2> sections;
-  for (const double z : CameraHeights(scene, structure))
-    sections.push_back(LevelSection(mesh, z, options.min_room_m2, options.min_hole_m2));
-  TakeSections(scene, structure, sections, options.min_room_m2, context, report);
+  const auto section_at = [&](double z) {
+    return LevelSection(mesh, z, options.min_room_m2, options.min_hole_m2);
+  };
+  PlanFromSections(scene, structure, section_at, options.min_room_m2, context, report);
   return report;
 }
 

@@ -225,8 +225,9 @@ PolygonSoup Reconstruct(const std::vector<SurfaceSample>& samples, const Polygon
   Mesh mesh;
   const bool is_found = reconstruction.reconstruct<Solver>(mesh, options.fitting, options.coverage,
                                                            options.complexity);
+  const std::string solver_reason = std::exchange(solver_setting, {}).reason;
   if (!is_found) {
-    reason = solver_setting.reason.empty() ? reconstruction.error_message() : solver_setting.reason;
+    reason = solver_reason.empty() ? reconstruction.error_message() : solver_reason;
     reason +=
         fmt::format(" ({} of {} planes)",
                     std::min(num_planes, static_cast<size_t>(options.max_planes)), num_planes);
@@ -267,11 +268,10 @@ SurfaceReport ReconstructPolygonal(const Scene& scene, const Structure& structur
   if (!report.reason.empty()) return report;
   Surface surface = SurfaceOf(soup, structure.storeys);
   report.model = std::move(surface.model);
-  std::vector<MultiPolygon2> sections;
-  for (const double z : CameraHeights(scene, structure)) {
-    sections.push_back(LevelSection(surface.mesh, z, options.min_room_m2, options.min_hole_m2));
-  }
-  TakeSections(scene, structure, sections, options.min_room_m2, context, report);
+  const auto section_at = [&](double z) {
+    return LevelSection(surface.mesh, z, options.min_room_m2, options.min_hole_m2);
+  };
+  PlanFromSections(scene, structure, section_at, options.min_room_m2, context, report);
   return report;
 }
 

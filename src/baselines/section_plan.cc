@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "enfilade/base/check.h"
 #include "enfilade/evidence/accumulate.h"
 #include "enfilade/floorplan/assemble.h"
 #include "enfilade/structure/wall_samples.h"
@@ -38,32 +37,28 @@ std::vector<EvidenceGrids> CountsOf(const Scene& scene, const Structure& structu
   return grids;
 }
 
-}  // namespace
-
-std::vector<double> CameraHeights(const Scene& scene, const Structure& structure) {
+// The upper one of two in the middle.
+double MedianHeight(const std::vector<Vector3d>& points) {
   std::vector<double> heights;
-  for (size_t i = 0; i < structure.storeys.size(); ++i) {
-    const StoreyStructure& storey = structure.storeys[i];
-    std::vector<double> z;
-    for (const Vector3d& camera : CamerasOf(scene, structure, i)) z.push_back(camera.z());
-    const auto middle = z.begin() + static_cast<ptrdiff_t>(z.size() / 2);
-    if (!z.empty()) std::nth_element(z.begin(), middle, z.end());
-    heights.push_back(z.empty() ? 0.5 * (storey.floor_z + storey.ceiling_z) : *middle);
-  }
-  return heights;
+  for (const Vector3d& point : points) heights.push_back(point.z());
+  const auto middle = heights.begin() + static_cast<ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  return *middle;
 }
 
-void TakeSections(const Scene& scene, const Structure& structure,
-                  const std::vector<MultiPolygon2>& sections, double min_room_m2,
-                  RunContext& context, SurfaceReport& report) {
-  ENFILADE_CHECK(sections.size() == structure.storeys.size());
+}  // namespace
+
+void PlanFromSections(const Scene& scene, const Structure& structure,
+                      const std::function<MultiPolygon2(double z)>& section_at, double min_room_m2,
+                      RunContext& context, SurfaceReport& report) {
   const std::vector<EvidenceGrids> evidence = CountsOf(scene, structure, context, report.reason);
   if (!report.reason.empty()) return;
-  std::vector<MultiPolygon2> rooms(sections.size());
+  std::vector<MultiPolygon2> rooms(structure.storeys.size());
   size_t num_rooms = 0;
-  for (size_t i = 0; i < sections.size(); ++i) {
+  for (size_t i = 0; i < rooms.size(); ++i) {
     const std::vector<Vector3d> cameras = CamerasOf(scene, structure, i);
-    for (const Polygon2& part : sections[i]) {
+    if (cameras.empty()) continue;
+    for (const Polygon2& part : section_at(MedianHeight(cameras))) {
       const bool holds_camera =
           std::any_of(cameras.begin(), cameras.end(),
                       [&](const Vector3d& camera) { return Contains(part, camera.head<2>()); });

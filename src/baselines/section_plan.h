@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
+#include <functional>
 
 #include "enfilade/base/run_context.h"
 #include "enfilade/baselines/surface_report.h"
@@ -12,15 +12,12 @@
 
 namespace enfilade {
 
-/// The median height of each storey's cameras in the home frame; of a storey without cameras the
-/// middle between floor and ceiling.
-[[nodiscard]] std::vector<double> CameraHeights(const Scene& scene, const Structure& structure);
-
-/// Makes the parts of each storey's section that hold one of its cameras and `min_room_m2` the
-/// rooms of the report's plan, as CutFloorplan makes its own, and sets outcome and reason. Throws
+/// Makes the report's plan, as CutFloorplan makes its own, and sets outcome and reason. Rooms are
+/// the parts of `section_at` that hold one of the storey's cameras and `min_room_m2`, at the median
+/// height of these cameras in the home frame; on a storey without cameras there is none. Throws
 /// what AccumulateEvidence throws.
-void TakeSections(const Scene& scene, const Structure& structure,
-                  const std::vector<MultiPolygon2>& sections, double min_room_m2,
-                  RunContext& context, SurfaceReport& report);
+void PlanFromSections(const Scene& scene, const Structure& structure,
+                      const std::function<MultiPolygon2(double z)>& section_at, double min_room_m2,
+                      RunContext& context, SurfaceReport& report);
 
 }  // namespace enfilade

@@ -101,10 +101,9 @@ SurfaceReport CutVolume(const Scene& scene, const Structure& structure,
   const VoxelSurface surface(frame, std::move(parts), samples);
   report.model = surface.Model(structure.storeys);
   context.CheckStop();
-  std::vector<MultiPolygon2> sections;
-  for (const double z : CameraHeights(scene, structure))
-    sections.push_back(surface.Section(z, options.min_hole_m2));
-  TakeSections(scene, structure, sections, options.min_room_m2, context, report);
+  PlanFromSections(
+      scene, structure, [&](double z) { return surface.Section(z, options.min_hole_m2); },
+      options.min_room_m2, context, report);
   return report;
 }
 
