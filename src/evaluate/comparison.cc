@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -14,7 +15,6 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view kNone = "–";
 constexpr std::string_view kAreaError = "area_error_gross";
 
 constexpr ComparedFigure kFigures[] = {
@@ -45,15 +45,17 @@ std::optional<double> FigureOf(const ComparedMethod& method, std::string_view ke
   return figure->second;
 }
 
-std::string PercentText(double share, int num_decimals = 2) {
+constexpr int kFewestDecimals = 2, kMostDecimals = 6;
+
+std::string PercentText(double share, int num_decimals) {
   return fmt::format("{:.{}f} %", 100 * share, num_decimals);
 }
 
 // As many decimals as tell two shares apart.
 int DecimalsBetween(double a, double b) {
-  constexpr int kMost = 6;
-  int num_decimals = 2;
-  while (num_decimals < kMost && PercentText(a, num_decimals) == PercentText(b, num_decimals))
+  int num_decimals = kFewestDecimals;
+  while (num_decimals < kMostDecimals &&
+         PercentText(a, num_decimals) == PercentText(b, num_decimals))
     ++num_decimals;
   return num_decimals;
 }
@@ -73,35 +75,48 @@ std::string Listed(const std::vector<std::string>& items) {
   return text;
 }
 
+struct AreaError {
+  std::string_view title;
+  double share = 0;
+};
+
 std::optional<Verdict> VerdictOnArea(std::span<const ComparedMethod> methods) {
-  const auto full = std::find_if(methods.begin(), methods.end(), [](const ComparedMethod& method) {
-    return method.name == kFullSolver;
-  });
-  if (full == methods.end()) return std::nullopt;
-  const std::optional<double> own = FigureOf(*full, kAreaError);
-  if (!own) return std::nullopt;
-  std::vector<std::string> not_above;
-  const ComparedMethod* next = nullptr;
-  for (const ComparedMethod& rival : methods) {
-    const std::optional<double> error = FigureOf(rival, kAreaError);
-    if (&rival == &*full || !error) continue;
-    if (*error <= *own)
-      not_above.push_back(fmt::format("{} ({})", rival.title, PercentText(*error)));
-    if (next == nullptr || *error < *FigureOf(*next, kAreaError)) next = &rival;
+  std::optional<double> own;
+  std::vector<AreaError> rivals, not_above;
+  for (const ComparedMethod& method : methods) {
+    const std::optional<double> error = FigureOf(method, kAreaError);
+    if (!error) continue;
+    if (method.name == kFullSolver) {
+      own = error;
+    } else {
+      rivals.push_back({method.title, *error});
+    }
   }
-  if (next == nullptr) return std::nullopt;
+  if (!own || rivals.empty()) return std::nullopt;
+  std::copy_if(rivals.begin(), rivals.end(), std::back_inserter(not_above),
+               [&](const AreaError& rival) { return rival.share <= *own; });
   if (not_above.empty()) {
-    const double nearest = *FigureOf(*next, kAreaError);
-    const int num_decimals = DecimalsBetween(*own, nearest);
+    const AreaError& next =
+        *std::min_element(rivals.begin(), rivals.end(),
+                          [](const AreaError& a, const AreaError& b) { return a.share < b.share; });
+    const int num_decimals = DecimalsBetween(*own, next.share);
     return Verdict{
         fmt::format(
             "The full solver's area error, {}, is below that of every rival; the next is {} with "
             "{}.",
-            PercentText(*own, num_decimals), next->title, PercentText(nearest, num_decimals)),
+            PercentText(*own, num_decimals), next.title, PercentText(next.share, num_decimals)),
         true};
   }
+  int num_decimals = kFewestDecimals;
+  for (const AreaError& rival : not_above) {
+    if (rival.share < *own)
+      num_decimals = std::max(num_decimals, DecimalsBetween(*own, rival.share));
+  }
+  std::vector<std::string> names;
+  for (const AreaError& rival : not_above)
+    names.push_back(fmt::format("{} ({})", rival.title, PercentText(rival.share, num_decimals)));
   return Verdict{fmt::format("The full solver's area error, {}, is not below that of {}.",
-                             PercentText(*own), Listed(not_above)),
+                             PercentText(*own, num_decimals), Listed(names)),
                  false};
 }
 
@@ -141,6 +156,38 @@ std::string Padding(std::string_view text, size_t width) {
   return std::string(width > length ? width - length : 0, ' ');
 }
 
+// A column of the table for the terminal. Texts end in a place for the asterisk.
+struct TextColumn {
+  std::vector<std::string> head;   // its lines
+  std::vector<std::string> cells;  // a method each
+  size_t width = 0;
+};
+
+TextColumn TextColumnOf(const ComparedFigure& figure, std::span<const ComparedMethod> methods) {
+  TextColumn column;
+  for (const std::string& word : WordsOf(figure.head)) column.head.push_back(word + ' ');
+  const std::vector<bool> are_best = BestOf(figure, methods);
+  for (size_t i = 0; i < methods.size(); ++i)
+    column.cells.push_back(ComparedText(figure, methods[i]) + (are_best[i] ? '*' : ' '));
+  for (const std::vector<std::string>* texts : {&column.head, &column.cells}) {
+    for (const std::string& text : *texts)
+      column.width = std::max(column.width, NumCharacters(text));
+  }
+  return column;
+}
+
+template <typename CellOf>
+std::string TableLine(std::string_view title, size_t title_width,
+                      const std::vector<TextColumn>& columns, const CellOf& cell_of) {
+  std::string line = std::string(title) + Padding(title, title_width);
+  for (const TextColumn& column : columns) {
+    const std::string cell = cell_of(column);
+    line += "  " + Padding(cell, column.width) + cell;
+  }
+  while (line.back() == ' ') line.pop_back();
+  return line + '\n';
+}
+
 }  // namespace
 
 std::span<const std::string_view> EnumNames(MethodOutcome) {
@@ -166,7 +213,7 @@ void AddSizes(const Floorplan& plan, size_t num_faces, MetricReport& figures) {
 
 std::string ComparedText(const ComparedFigure& column, const ComparedMethod& method) {
   const std::optional<double> figure = FigureOf(method, column.key);
-  if (!figure) return std::string(kNone);
+  if (!figure) return std::string(kNoFigure);
   return fmt::format("{:.{}f}", *figure * column.scale, column.num_decimals);
 }
 
@@ -203,43 +250,24 @@ std::vector<Verdict> Verdicts(std::span<const ComparedMethod> methods) {
 }
 
 std::string FormatComparison(std::span<const ComparedMethod> methods) {
-  size_t name_width = 0;
+  size_t title_width = 0, num_head_lines = 0;
   for (const ComparedMethod& method : methods)
-    name_width = std::max(name_width, NumCharacters(method.title));
-  std::vector<std::vector<std::string>> heads;
-  std::vector<size_t> widths;
-  size_t num_lines = 0;
-  for (const ComparedFigure& column : kFigures) {
-    heads.push_back(WordsOf(column.head));
-    num_lines = std::max(num_lines, heads.back().size());
-    widths.push_back(0);
-    for (const std::string& word : heads.back())
-      widths.back() = std::max(widths.back(), NumCharacters(word));
-    for (const ComparedMethod& method : methods)
-      widths.back() = std::max(widths.back(), NumCharacters(ComparedText(column, method)));
+    title_width = std::max(title_width, NumCharacters(method.title));
+  std::vector<TextColumn> columns;
+  for (const ComparedFigure& figure : kFigures) {
+    columns.push_back(TextColumnOf(figure, methods));
+    num_head_lines = std::max(num_head_lines, columns.back().head.size());
   }
   std::string text;
-  const auto end_line = [&] {
-    while (text.back() == ' ') text.pop_back();
-    text += '\n';
-  };
-  for (size_t line = 0; line < num_lines; ++line) {
-    text += std::string(name_width, ' ');
-    for (size_t k = 0; k < heads.size(); ++k) {
-      const size_t above = num_lines - heads[k].size();
-      const std::string word = line < above ? "" : heads[k][line - above];
-      text += "  " + Padding(word, widths[k]) + word + ' ';
-    }
-    end_line();
+  for (size_t line = 0; line < num_head_lines; ++line) {
+    text += TableLine("", title_width, columns, [&](const TextColumn& column) {
+      const size_t num_above = num_head_lines - column.head.size();
+      return line < num_above ? "" : column.head[line - num_above];
+    });
   }
   for (size_t i = 0; i < methods.size(); ++i) {
-    text += methods[i].title + Padding(methods[i].title, name_width);
-    for (size_t k = 0; k < heads.size(); ++k) {
-      const std::string figure = ComparedText(kFigures[k], methods[i]);
-      text += "  " + Padding(figure, widths[k]) + figure;
-      text += BestOf(kFigures[k], methods)[i] ? '*' : ' ';
-    }
-    end_line();
+    text += TableLine(methods[i].title, title_width, columns,
+                      [&](const TextColumn& column) { return column.cells[i]; });
   }
   text += "* the best of its column\n";
   for (const Verdict& verdict : Verdicts(methods)) text += verdict.text + '\n';

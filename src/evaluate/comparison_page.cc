@@ -164,7 +164,7 @@ std::vector<const ComparedFigure*> UsedColumns(const std::vector<ComparedMethod>
   std::vector<const ComparedFigure*> used;
   for (const ComparedFigure& column : ComparedFigures()) {
     const auto has_figure = [&](const ComparedMethod& method) {
-      return ComparedText(column, method) != "–";
+      return ComparedText(column, method) != kNoFigure;
     };
     if (std::any_of(methods.begin(), methods.end(), has_figure)) used.push_back(&column);
   }
@@ -190,9 +190,9 @@ void AddTable(const ComparisonPage& page, Html& html) {
       const std::string text = ComparedText(*columns[k], method);
       const bool is_best = BestOf(*columns[k], methods)[i];
       html.Add("<td{}>{}</td>",
-               is_best       ? " class=\"best\""
-               : text == "–" ? " class=\"none\""
-                             : "",
+               is_best             ? " class=\"best\""
+               : text == kNoFigure ? " class=\"none\""
+                                   : "",
                text);
     }
     html.Add("</tr>\n");
@@ -280,7 +280,7 @@ std::string Caption(const ComparedMethod& method, std::initializer_list<std::str
   for (const ComparedFigure& column : ComparedFigures()) {
     if (std::find(keys.begin(), keys.end(), column.key) == keys.end()) continue;
     const std::string figure = ComparedText(column, method);
-    if (figure == "–") continue;
+    if (figure == kNoFigure) continue;
     const size_t comma = column.head.rfind(", ");
     const bool has_unit = comma != std::string_view::npos;
     text += text.empty() ? "" : ", ";
@@ -357,7 +357,7 @@ constexpr std::array<LabelKind, 4> kLabelKinds = {{
 }};
 
 std::string ShareText(const std::optional<double>& share) {
-  return share ? fmt::format("{:.1f} %", 100 * *share) : "–";
+  return share ? fmt::format("{:.1f} %", 100 * *share) : std::string(kNoFigure);
 }
 
 void AddAccuracies(const ComparedLabels& labels, Html& html) {

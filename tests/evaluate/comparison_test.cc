@@ -79,6 +79,8 @@ TEST(Verdicts, SayWhereTheFullSolverIsNotBetter) {
 TEST(Verdicts, TellApartWhatIsNearlyTheSame) {
   EXPECT_THAT(FirstVerdict({Method("full", 0.033191), Method("a", 0.033207)}),
               HasSubstr("3.319 %, is below that of every rival; the next is a with 3.321 %"));
+  EXPECT_THAT(FirstVerdict({Method("full", 0.033207), Method("a", 0.033191), Method("b", 0.01)}),
+              HasSubstr("3.321 %, is not below that of a (3.319 %) and b (1.000 %)."));
 }
 
 TEST(Verdicts, NameWhoHasNoResultAndWhy) {

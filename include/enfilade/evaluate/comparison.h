@@ -54,7 +54,10 @@ struct ComparedFigure {
 /// Rooms, corners and faces of a method's plan and model, by the keys of ComparedFigures.
 void AddSizes(const Floorplan& plan, size_t num_faces, MetricReport& figures);
 
-/// The figure in the unit and with the decimals of its column; "–" for none.
+/// What stands where there is no figure.
+inline constexpr std::string_view kNoFigure = "–";
+
+/// The figure in the unit and with the decimals of its column, or kNoFigure.
 [[nodiscard]] std::string ComparedText(const ComparedFigure& column, const ComparedMethod& method);
 
 /// For each method whether its text in this column is the best of those that found a result.
