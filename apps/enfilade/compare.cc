@@ -30,7 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kViewWidth_px = 640;
 constexpr int kViewQuality = 82;
 
 // What models are looked at in: the true rooms, else the first plan, as high as the storeys; the
@@ -123,11 +122,12 @@ Examined Examine(const fs::path& folder, const Contender& contender, const Conte
 
 void DrawModels(const std::vector<BuildingModel>& models, const Structure& structure,
                 const InsideView& inside, ComparisonPage& page, RunContext& context) {
+  const int width_px = inside.camera.width;
   const Eigen::AlignedBox3d extent = ExtentOf(page, structure);
   for (size_t i = 0; i < models.size(); ++i) {
     if (models[i].faces.empty()) continue;
     ComparedMethod& method = page.methods[i];
-    method.outside_jpeg = EncodeView(RenderFromOutside(models[i], extent, kViewWidth_px, context));
+    method.outside_jpeg = EncodeView(RenderFromOutside(models[i], extent, width_px, context));
     method.inside_jpeg = EncodeView(
         RenderFromInside(models[i], method.plan, inside.home_from_cam, inside.camera, context));
   }
@@ -167,7 +167,8 @@ ComparisonPage CompareMethods(const Workspace& workspace, const Manifest& manife
     page.methods.push_back(std::move(examined.method));
     models.push_back(std::move(examined.model));
   }
-  const InsideView inside = ChooseInsideView(*results.scene, *results.structure, kViewWidth_px);
+  const InsideView inside =
+      ChooseInsideView(*results.scene, *results.structure, options.view_width);
   DrawModels(models, *results.structure, inside, page, context);
   AddPictures(workspace, manifest, results, truth, inside, options.orientation, page, context);
   nlohmann::json json = ComparisonToJson(page.methods);

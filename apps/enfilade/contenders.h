@@ -35,6 +35,7 @@ struct CompareOptions {
   PoissonOptions poisson;
   PolygonalOptions polygonal;
   OrientationMapOptions orientation;
+  int view_width = 640;
 
   void Visit(OptionVisitor& v) {
     v("max_seconds", max_seconds, "Time after which a method is given up, with reading its input.",
@@ -48,6 +49,7 @@ struct CompareOptions {
     v("poisson", poisson, "The Poisson surface.");
     v("polygonal", polygonal, "The polygonal surface.");
     v("orientation", orientation, "Orientation maps.");
+    v("view_width", view_width, "Columns of the page's pictures of models.", {64, 4096});
   }
 };
 

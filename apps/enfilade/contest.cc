@@ -43,7 +43,8 @@ Json RecordToJson(const ContestRecord& record) {
   return {{"outcome", EnumNames(record.outcome)[static_cast<size_t>(record.outcome)]},
           {"reason", record.reason},
           {"seconds", record.seconds},
-          {"peak_memory_mb", record.peak_memory_mb}};
+          {"peak_memory_mb", record.peak_memory_mb},
+          {"limit", record.limit}};
 }
 
 ContestRecord ReadRecord(const fs::path& path) {
@@ -54,7 +55,8 @@ ContestRecord ReadRecord(const fs::path& path) {
   if (name == names.end())
     throw InvalidInputError(where, "names no outcome", "delete it and compare again");
   return {static_cast<MethodOutcome>(name - names.begin()), JsonString(json, "reason", where),
-          JsonNumber(json, "seconds", where), JsonNumber(json, "peak_memory_mb", where)};
+          JsonNumber(json, "seconds", where), JsonNumber(json, "peak_memory_mb", where),
+          JsonNumber(json, "limit", where)};
 }
 
 // Everything that determines what a contender finds.
@@ -64,27 +66,26 @@ std::string KeyOf(const Manifest& manifest, const Contender& contender, uint64_t
                             contender.options.dump()));
 }
 
+// What a method was given up at; 0 for those that were not.
 double LimitOf(MethodOutcome outcome, const CompareOptions& options) {
-  return outcome == MethodOutcome::kOutOfTime ? options.max_seconds : options.max_memory_mb;
+  if (outcome == MethodOutcome::kOutOfTime) return options.max_seconds;
+  return outcome == MethodOutcome::kOutOfMemory ? options.max_memory_mb : 0;
 }
 
 // The record of an earlier comparison, if it still stands.
 std::optional<ContestRecord> StandingRecord(const fs::path& folder, const std::string& key,
                                             const CompareOptions& options) {
-  std::error_code ignored;
-  if (!fs::exists(RecordFile(folder), ignored)) return std::nullopt;
-  const Json json = ReadJsonFile(RecordFile(folder));
-  if (json.value("key", "") != key) return std::nullopt;
+  if (StoredKey(RecordFile(folder)) != key) return std::nullopt;
   ContestRecord record = ReadRecord(RecordFile(folder));
   switch (record.outcome) {
     case MethodOutcome::kFound:
-      if (fs::exists(folder / "floorplan.json", ignored)) return record;
+      if (fs::exists(folder / "floorplan.json")) return record;
       return std::nullopt;
     case MethodOutcome::kNoResult:
       return record;
     case MethodOutcome::kOutOfTime:
     case MethodOutcome::kOutOfMemory:
-      if (json.value("limit", 0.0) >= LimitOf(record.outcome, options)) return record;
+      if (record.limit >= LimitOf(record.outcome, options)) return record;
       return std::nullopt;
     case MethodOutcome::kFailed:
       return std::nullopt;
@@ -169,6 +170,13 @@ void Announce(const Contender& contender, const ContestRecord& record, Log& log)
 
 }  // namespace
 
+std::string StoredKey(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return "";
+  const Json json = ReadJsonFile(file);
+  return json.contains("key") ? JsonString(json, "key", file.native()) : "";
+}
+
 void RunContender(const Workspace& workspace, const Manifest& manifest, const Contender& contender,
                   RunContext& context) {
   Results results = LoadResults(workspace, manifest);
@@ -201,9 +209,9 @@ std::vector<ContestRecord> HoldContest(const Workspace& workspace, const Manifes
       RemoveFiles(workspace, {folder.lexically_relative(workspace.root())});
       CreateFolder(folder);
       record = RunInProcess(workspace, contender, options, context);
+      record->limit = LimitOf(record->outcome, options);
       Json json = RecordToJson(*record);
       json["key"] = key;
-      json["limit"] = LimitOf(record->outcome, options);
       WriteJsonFile(RecordFile(folder), json);
       Announce(contender, *record, context.log());
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ContestRecord {
   std::string reason;  ///< one line; empty when there is a result
   double seconds = 0;  ///< of the method alone; of its process where that was ended
   double peak_memory_mb = 0;
+  double limit = 0;  ///< seconds or MB that it was given up at; 0 where it was not
 };
 
 /// What the process of one contender does: runs it and leaves floorplan.json, plan.svg, model.obj
@@ -37,6 +39,11 @@ void RunContender(const Workspace& workspace, const Manifest& manifest, const Co
                                                      const std::vector<Contender>& contenders,
                                                      const CompareOptions& options,
                                                      RunContext& context);
+
+/// The key with which a file of compare/ was made: that of the record of a contender or of a folder
+/// of label maps. Empty where there is no such file or it holds none. Throws IoError,
+/// InvalidInputError.
+[[nodiscard]] std::string StoredKey(const std::filesystem::path& file);
 
 /// The hidden argument of `compare` that names the contender which a process is to run.
 inline constexpr const char* kContenderFlag = "--contender";

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "apps/enfilade/contest.h"
 #include "enfilade/base/errors.h"
 #include "enfilade/base/file.h"
 #include "enfilade/base/hash.h"
@@ -54,8 +55,7 @@ template <typename Make>
 void KeepFolder(const Workspace& workspace, const fs::path& folder, const std::string& key,
                 const Make& make) {
   const fs::path key_file = folder / "key.json";
-  std::error_code ignored;
-  if (fs::exists(key_file, ignored) && ReadJsonFile(key_file).value("key", "") == key) return;
+  if (StoredKey(key_file) == key) return;
   RemoveFiles(workspace, {folder.lexically_relative(workspace.root())});
   CreateFolder(folder);
   make();
