@@ -29,11 +29,12 @@ function(enfilade_add_module)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${M_USES} ${M_PUBLIC_LIBS} PRIVATE ${M_PRIVATE_LIBS})
 endfunction()
 
-# enfilade_add_test(MODULE m LABEL unit|stage|e2e|real|slow SOURCES s... LIBS l...)
+# enfilade_add_test(MODULE m LABEL unit|stage|e2e|real|slow SOURCES s... LIBS l... [SUITES s...])
 #
-# One binary per module and label. Tests are called <module>.<suite>.<case>.
+# One binary per module and label. Tests are called <module>.<suite>.<case>, each in a process of its own. SUITES are
+# those whose cases share what takes long to make: each is one test in one process, called <module>.<suite>.
 function(enfilade_add_test)
-  cmake_parse_arguments(T "" "MODULE;LABEL;TIMEOUT" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(T "" "MODULE;LABEL;TIMEOUT" "SOURCES;LIBS;SUITES" ${ARGN})
   set(target test_${T_MODULE}_${T_LABEL})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 300)
@@ -44,6 +45,16 @@ function(enfilade_add_test)
   target_compile_options(${target} PRIVATE -O1)
   target_link_libraries(${target} PRIVATE ${T_LIBS} enfilade_test_support GTest::gmock GTest::gtest_main)
   include(GoogleTest)
-  gtest_discover_tests(${target} TEST_PREFIX ${T_MODULE}. DISCOVERY_TIMEOUT 60
+  set(one_by_one "*")
+  if(T_SUITES)
+    list(TRANSFORM T_SUITES APPEND ".*" OUTPUT_VARIABLE cases)
+    list(JOIN cases ":" cases)
+    set(one_by_one "-${cases}")
+  endif()
+  gtest_discover_tests(${target} TEST_PREFIX ${T_MODULE}. TEST_FILTER ${one_by_one} DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS ${T_LABEL} TIMEOUT ${T_TIMEOUT})
+  foreach(suite IN LISTS T_SUITES)
+    add_test(NAME ${T_MODULE}.${suite} COMMAND ${target} --gtest_filter=${suite}.*)
+    set_tests_properties(${T_MODULE}.${suite} PROPERTIES LABELS ${T_LABEL} TIMEOUT ${T_TIMEOUT})
+  endforeach()
 endfunction()

@@ -81,7 +81,7 @@ TEST(ReconstructPolygonal, IsTheSameEveryTime) {
 
 TEST(ReconstructPolygonal, SaysWhyThereIsNoSurface) {
   const SurfaceRooms rooms(kBox);
-  EXPECT_THAT(Polygonal(rooms, {.spacing_m = 0.2, .min_plane_m2 = 50}).reason,
+  EXPECT_THAT(Polygonal(rooms, {.spacing_m = 0.4, .min_plane_m2 = 50}).reason,
               HasSubstr("make 0 planes, a closed surface takes 4"));
   // Without its ceiling, or another side, the box does not close.
   EXPECT_EQ(Polygonal(rooms, {.spacing_m = 0.2, .max_planes = 5}).reason,

@@ -93,8 +93,8 @@ TEST(CutVolume, StandsOutliers) {
 
 TEST(CutVolume, IsTheSameForAnyNumberOfThreads) {
   const SurfaceRooms rooms(kBox, {.sigma_relative = 0.02, .outlier_share = 0.05, .seed = 3});
-  const SurfaceReport one = Cut(rooms, {.voxel_m = 0.15}, 1),
-                      three = Cut(rooms, {.voxel_m = 0.15}, 3);
+  const VolumeCutOptions small = {.voxel_m = 0.15, .max_range_m = 5};
+  const SurfaceReport one = Cut(rooms, small, 1), three = Cut(rooms, small, 3);
   ASSERT_EQ(one.model.faces.size(), three.model.faces.size());
   for (size_t i = 0; i < one.model.faces.size(); ++i)
     EXPECT_EQ(one.model.faces[i].vertices, three.model.faces[i].vertices);
