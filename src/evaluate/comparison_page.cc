@@ -40,7 +40,7 @@ h3 { font-size: 15px; margin: 22px 0 8px; }
 p { margin: 0 0 10px; max-width: 84ch; }
 .soft { color: var(--soft); }
 .verdict { border-left: 4px solid var(--best-ink); background: var(--card); padding: 8px 14px;
- margin: 0 0 8px; }
+ margin: 0 0 8px; max-width: 120ch; }
 .verdict.against { border-left-color: var(--warn); }
 .scroll { overflow-x: auto; background: var(--card); border: 1px solid var(--line);
  border-radius: 6px; margin: 14px 0 8px; }
@@ -113,6 +113,14 @@ std::string Escaped(std::string_view text) {
     }
   }
   return escaped;
+}
+
+// For running text: a number and its percent sign stay on one line.
+std::string Prose(std::string_view text) {
+  std::string prose = Escaped(text);
+  for (size_t i = prose.find(" %"); i != std::string::npos; i = prose.find(" %", i))
+    prose.replace(i, 1, "\u00a0");
+  return prose;
 }
 
 // RFC 4648.
@@ -304,7 +312,7 @@ void AddPlans(const ComparisonPage& page, Html& html) {
     html.Add("<figure>");
     AddPlan(page, method, extent, html);
     html.Add("<figcaption>{} <span>{}</span></figcaption></figure>\n", Escaped(method.title),
-             Escaped(Caption(method, {"area_error_gross", "rooms", "corners"})));
+             Prose(Caption(method, {"area_error_gross", "rooms", "corners"})));
   }
   html.Add("</div>\n");
 }
@@ -413,7 +421,7 @@ void AddVerdicts(const ComparisonPage& page, Html& html) {
     html.Add("<p class=\"verdict against\">No truth was given: nothing is judged.</p>\n");
   for (const Verdict& verdict : Verdicts(page.methods)) {
     html.Add("<p class=\"verdict{}\">{}</p>\n", verdict.is_good ? "" : " against",
-             Escaped(verdict.text));
+             Prose(verdict.text));
   }
 }
 
