@@ -28,12 +28,11 @@ struct PoissonOptions {
 /// A rival without planes: the surface whose indicator function has the points' normals as
 /// gradient, meshed by Delaunay refinement (CGAL). A face of the model is a triangle.
 ///
-/// One thread is used, and nothing is random. Where CGAL's mesher has a choice it goes by
-/// addresses: a new process gives the same bytes, a second call in one process may set single
-/// triangles otherwise. Fewer than kMinSurfacePoints oriented points, thinned, and points without a
-/// surface give kNoSurface and the reason. Requires one profile a view. Throws StoppedError, before
-/// and after CGAL's work alone, and what AccumulateEvidence throws. About 30 s and 0.9 GB for 60
-/// 000 points.
+/// One thread is used, and nothing is random; but where CGAL's mesher has a choice it goes by
+/// addresses, so single triangles may differ from run to run. Fewer than kMinSurfacePoints oriented
+/// points, thinned, and points without a surface give kNoSurface and the reason. Requires one
+/// profile a view. Throws StoppedError, before and after CGAL's work alone, and what
+/// AccumulateEvidence throws. About 30 s and 0.9 GB for 60 000 points.
 ///
 /// Kazhdan, Bolitho & Hoppe, "Poisson Surface Reconstruction" (SGP 2006).
 [[nodiscard]] SurfaceReport ReconstructPoisson(const Scene& scene, const Structure& structure,
