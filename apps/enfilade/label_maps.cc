@@ -62,8 +62,6 @@ void KeepFolder(const Workspace& workspace, const fs::path& folder, const std::s
   WriteJsonFile(key_file, {{"key", key}});
 }
 
-bool IsPanorama(const View& view) { return view.camera.model == CameraModel::kEquirectangular; }
-
 // The folder with the maps of the classification.
 fs::path ClassifiedFolder(const Workspace& workspace, const Manifest& manifest,
                           const Results& results, RunContext& context) {

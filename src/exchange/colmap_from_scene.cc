@@ -19,8 +19,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 namespace fs = std::filesystem;
 
-bool IsPanorama(const View& view) { return view.camera.model == CameraModel::kEquirectangular; }
-
 // The deepest folder that holds all pictures.
 fs::path CommonFolder(const Scene& scene) {
   std::optional<fs::path> common;

@@ -26,8 +26,6 @@ constexpr double kMaxShift_m = 0.3;
 // Pairs less likely by chance than this count where they tell the same as the poses.
 constexpr double kWeakLog10Chance = -4, kSureLog10Chance = -20;
 
-bool IsPanorama(const View& view) { return view.camera.model == CameraModel::kEquirectangular; }
-
 std::vector<Rigid3> PosesOf(const Scene& scene) {
   std::vector<Rigid3> poses;
   for (const View& view : scene.views) poses.push_back(view.world_from_cam);

@@ -31,6 +31,11 @@ struct View {
   std::optional<Eigen::Vector3d> told_up_in_cam;
 };
 
+/// Whether the picture is a full equirectangular panorama.
+[[nodiscard]] inline bool IsPanorama(const View& view) {
+  return view.camera.model == CameraModel::kEquirectangular;
+}
+
 /// A reconstructed point.
 struct ScenePoint {
   Eigen::Vector3d position;         ///< in world
