@@ -413,31 +413,35 @@ class CeilingFinder {
     return std::min(peaks_[m] - curves_[m][h], kMateLoss);
   }
 
+  // The panoramas that count for one's ceiling, by their weights.
+  [[nodiscard]] double NumViews(size_t v) const {
+    double num_views = 1;
+    for (const RoomMate& mate : room_mates_[v]) num_views += mate.weight;
+    return num_views;
+  }
+
+  // What a height loses because rooms usually measure otherwise.
+  [[nodiscard]] double UnusualLoss(size_t h) const {
+    return PriorLoss(heights_[h], options_.typical_room_m, options_.typical_room_sigma_m);
+  }
+
   [[nodiscard]] std::vector<double> Pooled(size_t v) const {
+    const double num_views = NumViews(v);
     std::vector<double> pooled = curves_[v];
     for (size_t h = 0; h < pooled.size(); ++h) {
-      double num_views = 1;
-      for (const RoomMate& mate : room_mates_[v]) {
-        pooled[h] -= mate.weight * MateLoss(mate, h);
-        num_views += mate.weight;
-      }
-      pooled[h] += options_.home_weight * home_[h] -
-                   num_views * PriorLoss(heights_[h], options_.typical_room_m,
-                                         options_.typical_room_sigma_m);
+      for (const RoomMate& mate : room_mates_[v]) pooled[h] -= mate.weight * MateLoss(mate, h);
+      pooled[h] += options_.home_weight * home_[h] - num_views * UnusualLoss(h);
     }
     return pooled;
   }
 
   // How far a height stands out, in the mean over all that may have it.
   [[nodiscard]] double Contrast(size_t v, size_t h) const {
-    double sum = curves_[v][h] + options_.home_weight * home_[h], num_views = 1;
-    for (const RoomMate& mate : room_mates_[v]) {
+    const double num_views = NumViews(v);
+    double sum = curves_[v][h] + options_.home_weight * home_[h];
+    for (const RoomMate& mate : room_mates_[v])
       sum += mate.weight * curves_[static_cast<size_t>(mate.view)][h];
-      num_views += mate.weight;
-    }
-    sum -=
-        num_views * PriorLoss(heights_[h], options_.typical_room_m, options_.typical_room_sigma_m);
-    return sum / (num_views + options_.home_weight);
+    return (sum - num_views * UnusualLoss(h)) / (num_views + options_.home_weight);
   }
 
   // Where both edges of a cornice show, the line that was found is one of them, or lies between.
