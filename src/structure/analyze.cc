@@ -468,6 +468,8 @@ class StoreySolver {
                                    : floor_.floor_z + options_.height.typical_room_m;
       view.floor_m = std::max(kLeastHeight_m, work.position.z() - floor_.floor_z);
       view.ceiling_m = std::max(kLeastHeight_m, ceiling_z - work.position.z());
+      // The paper has nothing but free space.
+      if (options_.mode == StructureMode::kJoint) view.wall_m = work.path.wall_m;
       if (!evidence.core.empty()) {
         view.clear_m =
             ClearDistances(evidence, work.position.head<2>(), view.superpixels.label.cols());

@@ -56,6 +56,11 @@ int FromSurface(SurfaceLabel label) {
   }
 }
 
+// The value of a column of the panorama, of which there are `cols`, among any number of columns.
+double AtColumn(const std::vector<double>& values, int column, int cols) {
+  return values[static_cast<size_t>(column) * values.size() / static_cast<size_t>(cols)];
+}
+
 // What the columns of a panorama bound: the distance of the nearest wall, at the panorama's
 // columns.
 class Bounds {
@@ -68,11 +73,8 @@ class Bounds {
         rows_(view.superpixels.label.rows()) {
     const int cols = view.superpixels.label.cols();
     for (int c = 0; c < cols; ++c) {
-      double clear_m = 0;
-      if (!view.clear_m.empty()) {
-        clear_m =
-            view.clear_m[static_cast<size_t>(c) * view.clear_m.size() / static_cast<size_t>(cols)];
-      }
+      const double clear_m = view.clear_m.empty() ? 0 : AtColumn(view.clear_m, c, cols);
+      if (!view.wall_m.empty()) wall_m_.push_back(AtColumn(view.wall_m, c, cols));
       clear_m_.push_back(std::clamp(kClearShare * clear_m, kNearestWall_m, 0.99 * max_m_));
       is_known_.push_back(clear_m > kNearestWall_m);
     }
@@ -99,13 +101,15 @@ class Bounds {
   [[nodiscard]] double WallProbability(int row, int col) const {
     const auto c = static_cast<size_t>(col);
     const double ratio = clear_m_[c] / Reach(row);
-    return ratio >= 1 ? 0 : 1 - std::pow(ratio, is_known_[c] ? power_ : 1);
+    if (ratio >= 1) return 0;
+    if (!wall_m_.empty()) return 1 / (1 + std::pow(wall_m_[c] / Reach(row), power_));
+    return 1 - std::pow(ratio, is_known_[c] ? power_ : 1);
   }
 
  private:
   double floor_m_, ceiling_m_, max_m_, power_;
   int rows_;
-  std::vector<double> clear_m_, reach_m_;
+  std::vector<double> clear_m_, wall_m_, reach_m_;
   std::vector<bool> is_known_;
 };
 

@@ -126,6 +126,19 @@ TEST(ClassifyPanoramas, PointsAloneAreEnough) {
   EXPECT_GT(Accuracy(found.maps.final_labels), 0.93);
 }
 
+// A room of one colour, where free space ends well before the walls, behind furniture.
+TEST(ClassifyPanoramas, KnownWallsTellWhatColoursDoNot) {
+  ClassifyView view = MakeRoom([](int, int, Colour& colour) { colour = kPaint; });
+  for (double& clear_m : view.clear_m) clear_m *= 0.5;
+  const double without = Accuracy(Classify(view).maps.final_labels);
+  for (int c = 0; c < kCols; ++c) view.wall_m.push_back(WallDistance(AzimuthOfColumn(c, kCols)));
+  const Classification found = Classify(view);
+  EXPECT_GT(Accuracy(found.maps.final_labels), 0.95);
+  EXPECT_LT(without, Accuracy(found.maps.final_labels) - 0.05);
+  // What free space bounds stays as it is.
+  EXPECT_LT(WrongShare(found.maps.after_free_space), 0.01);
+}
+
 TEST(ClassifyPanoramas, AFewPointsMakeNoSeed) {
   ClassifyView view = MakeRoom();
   view.points.assign(4, {{1, 0, 0}, SurfaceLabel::kCeiling});

@@ -39,8 +39,8 @@ struct ClassifyOptions {
     v("max_distance_m", max_distance_m, "Farthest wall: what is nearer to the horizon is wall.",
       {2, 200});
     v("beyond_power", beyond_power,
-      "How near the end of free space walls are: one stands beyond twice the distance with "
-      "probability 2 to minus this.",
+      "How near walls are to where they are expected: one stands beyond twice the distance at "
+      "which free space ends with probability 2 to minus this.",
       {0.1, 20});
     v("home_share", home_share,
       "Share of the whole home's seeds, beside the panorama's own, in what colours mean.", {0, 1});
@@ -73,6 +73,9 @@ struct ClassifyView {
   /// By column, any number of them: core free space reaches so far, no wall is nearer. Zero: not
   /// known.
   std::vector<double> clear_m;
+  /// By column, any number of them: where the wall was found otherwise. Empty: not known, walls are
+  /// expected where free space ends.
+  std::vector<double> wall_m;
   std::vector<SeenPoint> points;
 };
 
@@ -109,7 +112,7 @@ struct Classification {
 /// C. Propagation, which the paper does not describe: the labels of least energy, exactly
 ///    (FindOrderedLabels). A label costs −log of its probability by colour (a histogram of CIELAB
 ///    for each label, from the panorama's seeds and the home's) and elevation (walls stand where
-///    free space ends or behind, see beyond_power). A border between
+///    free space ends or behind, see beyond_power, or about wall_m). A border between
 ///    labels costs by its length, less where colours differ and lines run; and that the lower label
 ///    is above the upper one costs extra.
 ///
