@@ -18,6 +18,7 @@
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/codec.h"
 #include "enfilade/structure/level_panorama.h"
+#include "enfilade/structure/room_mates.h"
 #include "enfilade/structure/wall_confidence.h"
 #include "enfilade/structure/wall_samples.h"
 #include "src/structure/label_view.h"
@@ -35,12 +36,6 @@ constexpr int kHeightColumnStep = 4;
 // Correlation is computed at every so many columns.
 constexpr int kCorrelationColumnStep = 4;
 constexpr std::array kCorrelatedFamilies = {0, 1, kFrontalFamily};
-// Samples of a panorama's floor: every so many columns, so many along each.
-constexpr int kShareColumnStep = 16;
-constexpr int kShareRadii = 8;
-// Through an open door less than the first share of a room's floor is seen, and within a room
-// without corners more than the second.
-constexpr double kShareThroughDoor = 0.3, kShareInRoom = 0.7;
 // So well a ceiling's height is known: its line may be this far off.
 constexpr double kCeilingError_m = 0.02;
 // Cells of the free space that bounds where walls may stand.
@@ -218,12 +213,8 @@ class StoreySolver {
   }
 
   void Correlate() {
-    std::vector<KnownDistances> known(works_.size());
-    std::vector<Vector2d> positions;
-    for (size_t i = 0; i < works_.size(); ++i) {
-      known[i] = works_[i].path.wall_m;
-      positions.push_back(works_[i].position.head<2>());
-    }
+    const std::vector<KnownDistances> known = Walls();
+    const std::vector<Vector2d> positions = Positions();
     ParallelFor(context_, "correlation", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       const ColumnScores raw = CorrelateStrips(tables_, static_cast<int>(i),
                                                NearestOthers(positions, static_cast<size_t>(i)),
@@ -303,48 +294,24 @@ class StoreySolver {
   void EstimateCeilingHeights() {
     std::vector<CeilingEstimate> estimates;
     WithHeightViews([&](const std::vector<HeightView>& views) {
-      estimates = EstimateCeilings(views, floor_, RoomMates(),
+      estimates = EstimateCeilings(views, floor_, FindRoomMates(Positions(), Walls()),
                                    options_.use_obstacles ? &options_.obstacle : nullptr, bins_,
                                    options_.viterbi, options_.height, context_);
     });
     for (size_t i = 0; i < works_.size(); ++i) works_[i].ceiling = estimates[i];
   }
 
-  // For each panorama those of its room: each sees much of the floor that the other sees.
-  [[nodiscard]] std::vector<std::vector<RoomMate>> RoomMates() const {
-    std::vector<std::vector<RoomMate>> mates(works_.size());
-    for (size_t i = 0; i < works_.size(); ++i) {
-      for (size_t j = 0; j < i; ++j) {
-        const double share =
-            std::min(ShareSeen(works_[i], works_[j]), ShareSeen(works_[j], works_[i]));
-        const double weight =
-            std::min(1.0, (share - kShareThroughDoor) / (kShareInRoom - kShareThroughDoor));
-        if (weight <= 0) continue;
-        mates[i].push_back({static_cast<int>(j), weight});
-        mates[j].push_back({static_cast<int>(i), weight});
-      }
-    }
-    return mates;
+  [[nodiscard]] std::vector<Vector2d> Positions() const {
+    std::vector<Vector2d> positions;
+    for (const ViewWork& work : works_) positions.push_back(work.position.head<2>());
+    return positions;
   }
 
-  // Share of the floor before the walls of one panorama that lies before the walls of another.
-  [[nodiscard]] static double ShareSeen(const ViewWork& of, const ViewWork& by) {
-    const int num_columns = static_cast<int>(of.path.wall_m.size());
-    double seen = 0, total = 0;
-    for (int c = 0; c < num_columns; c += kShareColumnStep) {
-      const double azimuth = AzimuthOfColumn(c, num_columns);
-      const double wall_m = of.path.wall_m[static_cast<size_t>(c)];
-      for (int k = 0; k < kShareRadii; ++k) {
-        const double range = wall_m * (k + 0.5) / kShareRadii;
-        const Vector2d ray = of.position.head<2>() +
-                             range * Vector2d(std::cos(azimuth), std::sin(azimuth)) -
-                             by.position.head<2>();
-        const double area = wall_m * range;
-        total += area;
-        if (ray.norm() < DistanceTowards(by.path.wall_m, ray)) seen += area;
-      }
-    }
-    return seen / total;
+  // Where each panorama has its walls so far.
+  [[nodiscard]] std::vector<KnownDistances> Walls() const {
+    std::vector<KnownDistances> walls;
+    for (const ViewWork& work : works_) walls.push_back(work.path.wall_m);
+    return walls;
   }
 
   [[nodiscard]] ColumnScores FloorScores(const ViewWork& work) const {
@@ -410,15 +377,11 @@ class StoreySolver {
   // Once more, each panorama with what the others of its room say to its walls. Only those: through
   // a door another room's panorama would support what lies behind this one's walls.
   void FindPathsTogether() {
-    std::vector<KnownDistances> known;
-    std::vector<Vector2d> positions;
+    const std::vector<KnownDistances> known = Walls();
+    const std::vector<Vector2d> positions = Positions();
     std::vector<PlacedScores> views;
-    for (const ViewWork& work : works_) {
-      positions.push_back(work.position.head<2>());
-      known.push_back(work.path.wall_m);
-      views.push_back({positions.back(), &work.lines});
-    }
-    const std::vector<std::vector<RoomMate>> room_mates = RoomMates();
+    for (size_t i = 0; i < works_.size(); ++i) views.push_back({positions[i], &works_[i].lines});
+    const std::vector<std::vector<RoomMate>> room_mates = FindRoomMates(positions, known);
     ParallelFor(context_, "shared profiles", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
       const std::vector<RoomMate>& mates = room_mates[static_cast<size_t>(i)];

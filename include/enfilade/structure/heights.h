@@ -10,6 +10,7 @@
 #include "enfilade/base/run_context.h"
 #include "enfilade/structure/column_scores.h"
 #include "enfilade/structure/plane_viterbi.h"
+#include "enfilade/structure/room_mates.h"
 
 namespace enfilade {
 
@@ -88,14 +89,8 @@ struct CeilingEstimate {
   double weight = 1;     ///< 0–1: how clearly the ceiling is one level plane
 };
 
-/// A panorama that may stand in the same room as another.
-struct RoomMate {
-  int view = 0;
-  double weight = 1;  ///< 0–1: how surely
-};
-
 /// The ceiling over each panorama. Score curves over the height are pooled with those of the
-/// panoramas in the same room (`room_mates[i]` lists them) and of the whole home, and with what
+/// panoramas in the same room (FindRoomMates) and of the whole home, and with what
 /// rooms usually measure: one panorama alone errs by up to half a metre in a closet, and takes the
 /// tops of cabinets for a ceiling. A mate counts against no height by more than a bound, as it may
 /// stand in the next room after all. Things may stand before walls (`obstacle`; null: nothing
