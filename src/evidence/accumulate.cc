@@ -122,7 +122,9 @@ void AccumulateOptions::Visit(OptionVisitor& v) {
   v("camera_height_m", camera_height_m, "Typical height of camera over the line it measures by.",
     {0.1, 10});
   v("same_place_m", same_place_m, "Panoramas nearer than this share a vote.", {0, 10});
-  v("near_m", near_m, "Floor nearer than this to a camera needs no second witness.", {0, 10});
+  v("near_m", near_m,
+    "Floor nearer than this to a camera needs no second witness, farther floor seen walls.",
+    {0, 10});
   v("min_angle_deg", min_angle_deg, "Angle from which two views look from different directions.",
     {1, 90});
   v("min_support_probability", min_support_probability,

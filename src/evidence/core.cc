@@ -3,8 +3,10 @@
 #include "enfilade/evidence/core.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -17,6 +19,10 @@ namespace enfilade {
 namespace {
 
 constexpr int kMaxCores = 65535;
+// A wall that ends free space has its face no farther behind: twice the error of one pixel at 8 m.
+constexpr double kFaceReach_m = 0.3;
+constexpr std::array<std::pair<int, int>, 4> kSides{{{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
+constexpr uint8_t kStrongSupport = kSupportNear | kSupportTwoDirections;
 
 struct Thresholds {
   float min_free;
@@ -31,12 +37,13 @@ Thresholds ThresholdsOf(EvidenceMode mode, const CoreOptions& options) {
           static_cast<float>(options.max_wall_log_odds)};
 }
 
-// Supported free cells without wall, clear of the border.
-ImageU8 CandidateCells(const EvidenceGrids& grids, const Thresholds& thresholds) {
+// Free cells without wall that have one of the reasons `support`, clear of the border.
+ImageU8 CandidateCells(const EvidenceGrids& grids, const Thresholds& thresholds, uint8_t support) {
   ImageU8 mask(grids.frame.rows, grids.frame.cols);
   for (int r = 1; r + 1 < mask.rows(); ++r) {
     for (int c = 1; c + 1 < mask.cols(); ++c) {
-      mask(r, c) = grids.support(r, c) != 0 && grids.free(r, c) >= thresholds.min_free &&
+      mask(r, c) = (grids.support(r, c) & support) != 0 &&
+                   grids.free(r, c) >= thresholds.min_free &&
                    grids.wall(r, c) < thresholds.max_wall;
     }
   }
@@ -179,6 +186,81 @@ int KeepRegionsWithCamera(const EvidenceGrids& grids, double snap_m, ImageI& lab
   return count;
 }
 
+// The border of a part of the free space, in sides of cells.
+struct PartBorder {
+  int wall = 0;                 // a wall was seen behind them
+  int open = 0;                 // nothing was
+  int mouth = 0;                // a region lies behind them
+  std::map<int, int> mouth_to;  // which one
+
+  // The region that it opens to most widely, and how widely.
+  [[nodiscard]] std::pair<int, int> WidestMouth() const {
+    std::pair<int, int> widest{0, 0};
+    for (const auto& [region, width] : mouth_to) {
+      if (width > widest.second) widest = {region, width};
+    }
+    return widest;
+  }
+};
+
+std::vector<PartBorder> MeasureBorders(const EvidenceGrids& grids, const Thresholds& thresholds,
+                                       const ImageI& region, const Components& parts) {
+  const int reach = static_cast<int>(std::lround(kFaceReach_m / grids.frame.cell_m));
+  std::vector<PartBorder> borders(parts.num_cells.size());
+  for (int r = 1; r + 1 < region.rows(); ++r) {
+    for (int c = 1; c + 1 < region.cols(); ++c) {
+      const int part = parts.label(r, c);
+      if (part == 0) continue;
+      PartBorder& border = borders[part];
+      for (const auto& [dr, dc] : kSides) {
+        if (parts.label(r + dr, c + dc) != 0) continue;
+        if (const int beside = region(r + dr, c + dc); beside != 0) {
+          ++border.mouth;
+          ++border.mouth_to[beside];
+          continue;
+        }
+        bool is_wall = false;
+        for (int k = 1; k <= reach && !is_wall; ++k) {
+          is_wall = grids.frame.IsInside(r + k * dr, c + k * dc) &&
+                    grids.wall(r + k * dr, c + k * dc) >= thresholds.max_wall;
+        }
+        ++(is_wall ? border.wall : border.open);
+      }
+    }
+  }
+  return borders;
+}
+
+// Takes in what one panorama alone sees beside a region, the far half of a room or the leg of an L,
+// but for what it sees out of a window or past a wall that it missed. With the part its open border
+// would be a wall that nobody saw, without it the seen walls round it would have no room and its
+// mouth would be such a wall: what leaves less unexplained is done. A part joins no two regions: it
+// goes to the one that it opens to most widely. Returns the number of cells taken in.
+int TakeInFarParts(const EvidenceGrids& grids, const Thresholds& thresholds,
+                   const CoreOptions& options, ImageI& region) {
+  const double cell_m = grids.frame.cell_m;
+  ImageU8 free = OpenByDisc(CandidateCells(grids, thresholds, kStrongSupport | kSupportFar),
+                            options.opening_radius_m / cell_m);
+  for (size_t i = 0; i < free.data().size(); ++i) {
+    if (region.data()[i] != 0) free.data()[i] = 0;
+  }
+  const Components parts = LabelComponents(free, Connectivity::kFour);
+  const std::vector<PartBorder> borders = MeasureBorders(grids, thresholds, region, parts);
+  std::vector<int> owner(borders.size());
+  int num_cells = 0;
+  for (size_t i = 1; i < borders.size(); ++i) {
+    const auto [beside, width] = borders[i].WidestMouth();
+    if (beside == 0 || width * cell_m < options.min_neck_m) continue;
+    if (borders[i].open >= borders[i].wall + borders[i].mouth) continue;
+    owner[i] = beside;
+    num_cells += parts.num_cells[i];
+  }
+  for (size_t i = 0; i < free.data().size(); ++i) {
+    if (free.data()[i] != 0) region.data()[i] = owner[parts.label.data()[i]];
+  }
+  return num_cells;
+}
+
 // Fills holes of a region that are small and show no wall: furniture. A hole belongs to the region
 // when every region cell beside it does.
 void FillFurniture(const EvidenceGrids& grids, const Thresholds& thresholds, double max_hole_m2,
@@ -272,8 +354,8 @@ CoreReport FindCore(const EvidenceGrids& grids, const CoreOptions& options, RunC
   const Thresholds thresholds = ThresholdsOf(grids.mode, options);
   const double cell_m = grids.frame.cell_m;
 
-  const ImageU8 free =
-      OpenByDisc(CandidateCells(grids, thresholds), options.opening_radius_m / cell_m);
+  const ImageU8 free = OpenByDisc(CandidateCells(grids, thresholds, kStrongSupport),
+                                  options.opening_radius_m / cell_m);
   context.CheckStop();
   Components bodies = SplitAtNecks(free, options.min_neck_m / cell_m);
   ImageI& region = bodies.label;
@@ -285,6 +367,10 @@ CoreReport FindCore(const EvidenceGrids& grids, const CoreOptions& options, RunC
   KeepRegionsWithCamera(grids, options.camera_snap_m, region);
   report.dropped_m2 = static_cast<double>(num_free - CountCells(region)) * cell_m * cell_m;
   context.CheckStop();
+  if (grids.mode == EvidenceMode::kLogOdds) {
+    report.far_m2 = TakeInFarParts(grids, thresholds, options, region) * cell_m * cell_m;
+    context.CheckStop();
+  }
   FillFurniture(grids, thresholds, options.max_hole_m2, region);
   ErodeRegions(options.erosion_m / cell_m, region);
   NumberCores(grids, options.camera_snap_m, region, report);

@@ -17,7 +17,7 @@ constexpr int kRowsPerTask = 8;
 // Directions from which a cell is seen free.
 class SupportCollector {
  public:
-  void AddNear() { bits_ |= kSupportNear; }
+  void Add(uint8_t bit) { bits_ |= bit; }
   void AddDirection(const Eigen::Vector2f& unit, float max_cosine) {
     if ((bits_ & kSupportTwoDirections) != 0) return;
     for (const Eigen::Vector2f& other : directions_) {
@@ -69,7 +69,7 @@ class RowAccumulator {
       const float own = SensorModel::Quantised(options.max_view_log_odds * in_.weights[v]);
       grids_.free(row, col) += own;
       grids_.wall(row, col) -= own;
-      support_[col].AddNear();
+      support_[col].Add(kSupportNear);
       return;
     }
     const Eigen::Vector2f unit = offset / r;
@@ -83,8 +83,9 @@ class RowAccumulator {
     const float free_probability = reading->trust * (1 - reading->cdf_far) +
                                    (1 - reading->trust) * SensorModel::FreeIfUnexplained(r);
     if (free_probability < options.min_support_probability) return;
-    const bool is_near = r <= std::min(static_cast<float>(options.near_m), reading->obstacle_m);
-    if (is_near) support_[col].AddNear();
+    if (r <= reading->obstacle_m) {
+      support_[col].Add(r <= static_cast<float>(options.near_m) ? kSupportNear : kSupportFar);
+    }
     support_[col].AddDirection(unit, max_cosine_);
   }
 

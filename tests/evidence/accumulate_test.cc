@@ -84,7 +84,7 @@ TEST(AccumulateEvidence, OneViewDoesNotOverrideTwo) {
   EXPECT_LT(At(first, first.free, 4.06, 2), 0);  // blocked, two against one
   EXPECT_GT(At(first, first.wall, 4.0, 2), 0);
   EXPECT_GT(At(first, first.free, 6, 2), 1);     // the garden: nobody else says anything,
-  EXPECT_EQ(At(first, first.support, 6, 2), 0);  // but nobody else supports it
+  EXPECT_EQ(At(first, first.support, 6, 2), kSupportFar);  // but nobody else supports it
   const EvidenceGrids grids = Accumulate(SamplesOf(plan));
   EXPECT_LT(At(grids, grids.free, 4.06, 2), -0.3);  // the view lost its say behind the wall
   EXPECT_LT(At(grids, grids.free, 6, 2), 0.5 * At(first, first.free, 6, 2));
@@ -175,17 +175,17 @@ TEST(AccumulateEvidence, OneViewIsBounded) {
   }
 }
 
-TEST(AccumulateEvidence, SupportNeedsANearCameraOrTwoDirections) {
+TEST(AccumulateEvidence, SupportTellsNearFarAndTwoDirections) {
   PlanToSample plan = PlanFromText("0,0 9,0 9,3 0,3", {{1, 1.5}});
   EvidenceGrids grids = Accumulate(SamplesOf(plan));
   EXPECT_EQ(At(grids, grids.support, 2, 1.5), kSupportNear);
-  EXPECT_EQ(At(grids, grids.support, 6, 1.5), 0);
+  EXPECT_EQ(At(grids, grids.support, 6, 1.5), kSupportFar);
   plan.cameras.push_back({1.5, 1.5});  // looks at x = 6 from the same direction
   grids = Accumulate(SamplesOf(plan));
-  EXPECT_EQ(At(grids, grids.support, 6, 1.5), 0);
+  EXPECT_EQ(At(grids, grids.support, 6, 1.5), kSupportFar);
   plan.cameras.push_back({8.8, 1.5});
   grids = Accumulate(SamplesOf(plan));
-  EXPECT_EQ(At(grids, grids.support, 6, 1.5), kSupportTwoDirections);
+  EXPECT_EQ(At(grids, grids.support, 6, 1.5), kSupportTwoDirections | kSupportFar);
 }
 
 TEST(AccumulateEvidence, FloorBehindAnObstacleIsNotNear) {

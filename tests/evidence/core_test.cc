@@ -14,8 +14,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// Grids drawn as text, one character a 10 cm block: '#' is free and supported, 'W' carries wall
-// evidence, digits are cameras on free cells; the first line is the highest y.
+// Grids drawn as text, one character a 10 cm block: '#' is free and supported, 'f' free and seen
+// from afar, 'W' carries wall evidence, digits are cameras on free cells; the first line is the
+// highest y.
 EvidenceGrids GridsFromText(const std::vector<std::string>& lines) {
   constexpr int kCellsPerBlock = 4;
   EvidenceGrids grids;
@@ -30,8 +31,8 @@ EvidenceGrids GridsFromText(const std::vector<std::string>& lines) {
       if (block == 'W') grids.wall(r, c) = 4;
       if (block == '.' || block == 'W') continue;
       grids.free(r, c) = 4;
-      grids.support(r, c) = kSupportNear;
-      if (block != '#' && r % kCellsPerBlock == 2 && c % kCellsPerBlock == 2) {
+      grids.support(r, c) = block == 'f' ? kSupportFar : kSupportNear;
+      if (block != '#' && block != 'f' && r % kCellsPerBlock == 2 && c % kCellsPerBlock == 2) {
         grids.cameras.push_back({block - '0', grids.frame.Center(r, c)});
       }
     }
@@ -215,6 +216,107 @@ TEST(FindCore, UnsupportedSpaceIsNotCore) {
   const CoreReport report = Core(grids);
   EXPECT_EQ(CoreAt(grids, report, 8, 4), 1);
   EXPECT_EQ(CoreAt(grids, report, 12, 4), 0);
+}
+
+// A room whose far end one panorama alone sees.
+const std::vector<std::string> kFarEnd = {"WWWWWWWWWWWWWWWWWWWWWWWW",  //
+                                          "W##########ffffffffffffW",  //
+                                          "W##########ffffffffffffW",  //
+                                          "W##########ffffffffffffW",  //
+                                          "W###1######ffffffffffffW",  //
+                                          "W##########ffffffffffffW",  //
+                                          "W##########ffffffffffffW",  //
+                                          "W##########ffffffffffffW",  //
+                                          "WWWWWWWWWWWWWWWWWWWWWWWW"};
+
+TEST(FindCore, AFarPartWithinWallsIsTakenIn) {
+  const EvidenceGrids grids = GridsFromText(kFarEnd);
+  const CoreReport report = Core(grids);
+  EXPECT_EQ(report.num_cores, 1);
+  EXPECT_EQ(CoreAt(grids, report, 4, 4), 1);
+  EXPECT_EQ(CoreAt(grids, report, 20, 4), 1);
+  EXPECT_NEAR(report.far_m2, 1.2 * 0.7, 0.02);
+}
+
+TEST(FindCore, AFarPartWithoutWallsIsNot) {
+  std::vector<std::string> drawing = kFarEnd;
+  for (std::string& line : drawing) {
+    for (size_t i = 12; i < line.size(); ++i) {
+      if (line[i] == 'W') line[i] = '.';
+    }
+  }
+  CoreReport report = Core(GridsFromText(drawing));
+  EXPECT_EQ(CoreAt(GridsFromText(drawing), report, 20, 4), 0);
+  EXPECT_EQ(report.far_m2, 0);
+  // However short it is: its border is never shorter than its mouth.
+  for (std::string& line : drawing) std::fill(line.begin() + 14, line.end(), '.');
+  EXPECT_EQ(Core(GridsFromText(drawing)).far_m2, 0);
+  // A wall at its end and one along it outweigh one open side.
+  drawing = kFarEnd;
+  std::fill(drawing.back().begin() + 12, drawing.back().end(), '.');
+  EXPECT_GT(Core(GridsFromText(drawing)).far_m2, 0.8);
+}
+
+TEST(FindCore, AFarPartBehindANarrowMouthIsNot) {
+  std::vector<std::string> drawing = kFarEnd;
+  for (size_t i = 1; i < drawing.size() - 1; ++i) {
+    if (i < 3 || i > 5) drawing[i][11] = 'W';  // leaves 0.3 m
+  }
+  EXPECT_EQ(Core(GridsFromText(drawing)).far_m2, 0);
+  CoreOptions options;
+  options.min_neck_m = 0.2;
+  EXPECT_GT(Core(GridsFromText(drawing), options).far_m2, 0.7);
+}
+
+TEST(FindCore, AFarPartJoinsNoTwoCores) {
+  const EvidenceGrids grids = GridsFromText({"WWWWWWWWWWWWWWWWWWWWWWWWW",  //
+                                             "W##########fffff########W",  //
+                                             "W##########fffff########W",  //
+                                             "W##########fffff########W",  //
+                                             "W###1######fffff####0###W",  //
+                                             "W##########fffff########W",  //
+                                             "W##########fffffWWWWWWWWW",  //
+                                             "W##########fffffW........",  //
+                                             "WWWWWWWWWWWWWWWWW........"});
+  const CoreReport report = Core(grids);
+  EXPECT_EQ(report.num_cores, 2);
+  EXPECT_EQ(CoreAt(grids, report, 4, 4), 2);
+  EXPECT_EQ(CoreAt(grids, report, 13, 4), 2);  // that to which it opens more widely
+  EXPECT_EQ(CoreAt(grids, report, 20, 4), 1);
+}
+
+TEST(FindCore, RawCountsTakeInNoFarPart) {
+  EvidenceGrids grids = GridsFromText(kFarEnd);
+  grids.mode = EvidenceMode::kCounts;
+  const CoreReport report = Core(grids);
+  EXPECT_EQ(CoreAt(grids, report, 4, 4), 1);
+  EXPECT_EQ(CoreAt(grids, report, 20, 4), 0);
+}
+
+// The whole way from samples.
+TEST(FindCore, TheFarLegOfARoomWithOnePanoramaIsCore) {
+  const PlanToSample plan = PlanFromText("0,0 3,0 3,5.5 1,5.5 1,3 0,3", {{2, 1.5}});
+  RunContext context(2);
+  const EvidenceGrids grids = AccumulateEvidence(SamplesOf(plan), {}, {}, context).grids;
+  EXPECT_EQ(At(grids, FindCore(grids, {}, context).core, 2, 5.2), 1);
+}
+
+TEST(FindCore, WhatOnePanoramaSeesOutOfAWindowIsNot) {
+  PlanToSample plan = PlanFromText("0,0 4,0 4,4 0,4", {{2, 2}});
+  const Ring2 garden = ParseRing("-1,-1 6.5,-1 6.5,5 -1,5");
+  plan.distance = [&, rings = plan.rings](int, const Eigen::Vector2d& d) {
+    const double wall = RayDistance(rings[0], {2, 2}, d);
+    const Eigen::Vector2d hit = Eigen::Vector2d(2, 2) + wall * d;
+    const bool through = hit.x() > 3.99 && std::abs(hit.y() - 2) < 0.6;
+    return through ? RayDistance(garden, {2, 2}, d) : wall;
+  };
+  RunContext context(2);
+  const EvidenceGrids grids = AccumulateEvidence(SamplesOf(plan), {}, {}, context).grids;
+  EXPECT_GT(At(grids, grids.free, 5.5, 2), 1);
+  EXPECT_EQ(At(grids, grids.support, 5.5, 2), kSupportFar);
+  const CoreReport report = FindCore(grids, {}, context);
+  EXPECT_EQ(At(grids, report.core, 2, 2), 1);
+  EXPECT_EQ(At(grids, report.core, 5.5, 2), 0);
 }
 
 // The whole way from samples: one of three panoramas sees the garden through a low window.

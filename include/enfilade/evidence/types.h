@@ -60,6 +60,7 @@ enum class EvidenceMode {
 /// Bits of EvidenceGrids::support: why free space may be believed to be inside the home.
 inline constexpr uint8_t kSupportNear = 1;           ///< near a camera, over unbroken floor
 inline constexpr uint8_t kSupportTwoDirections = 2;  ///< seen free from two different directions
+inline constexpr uint8_t kSupportFar = 4;  ///< as kSupportNear, but farther: a weak reason
 
 /// Of each cell 0, or 1 + the index of the core component that it belongs to.
 using CoreImage = Image<uint16_t>;
