@@ -83,7 +83,7 @@ TEST(AccumulateEvidence, OneViewDoesNotOverrideTwo) {
   const EvidenceGrids first = Accumulate(SamplesOf(plan), options);
   EXPECT_LT(At(first, first.free, 4.06, 2), 0);  // blocked, two against one
   EXPECT_GT(At(first, first.wall, 4.0, 2), 0);
-  EXPECT_GT(At(first, first.free, 6, 2), 1);     // the garden: nobody else says anything,
+  EXPECT_GT(At(first, first.free, 6, 2), 1);               // the garden: nobody else says anything,
   EXPECT_EQ(At(first, first.support, 6, 2), kSupportFar);  // but nobody else supports it
   const EvidenceGrids grids = Accumulate(SamplesOf(plan));
   EXPECT_LT(At(grids, grids.free, 4.06, 2), -0.3);  // the view lost its say behind the wall
