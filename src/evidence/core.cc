@@ -22,7 +22,6 @@ constexpr int kMaxCores = 65535;
 // A wall that ends free space has its face no farther behind: twice the error of one pixel at 8 m.
 constexpr double kFaceReach_m = 0.3;
 constexpr std::array<std::pair<int, int>, 4> kSides{{{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
-constexpr uint8_t kStrongSupport = kSupportNear | kSupportTwoDirections;
 
 struct Thresholds {
   float min_free;

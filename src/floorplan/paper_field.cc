@@ -53,8 +53,9 @@ PaperField MakePaperField(const EvidenceGrids& evidence, const PaperOptions& opt
   field.frame = evidence.frame;
   field.wall = WholeNumbers(evidence.wall);
   field.rays = WholeNumbers(evidence.free);
-  field.is_sure = evidence.support.empty() ? ImageU8(field.frame.rows, field.frame.cols, 1, 1)
-                                           : evidence.support;
+  field.is_sure = ImageU8(field.frame.rows, field.frame.cols, 1, 1);
+  for (size_t i = 0; i < evidence.support.data().size(); ++i)
+    field.is_sure.data()[i] = (evidence.support.data()[i] & kStrongSupport) != 0;
   field.seen_points =
       std::max(1.0F, static_cast<float>(options.wall_points_per_m * field.frame.cell_m));
   field.turn_cost = std::max(

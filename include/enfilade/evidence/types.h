@@ -61,6 +61,7 @@ enum class EvidenceMode {
 inline constexpr uint8_t kSupportNear = 1;           ///< near a camera, over unbroken floor
 inline constexpr uint8_t kSupportTwoDirections = 2;  ///< seen free from two different directions
 inline constexpr uint8_t kSupportFar = 4;  ///< as kSupportNear, but farther: a weak reason
+inline constexpr uint8_t kStrongSupport = kSupportNear | kSupportTwoDirections;
 
 /// Of each cell 0, or 1 + the index of the core component that it belongs to.
 using CoreImage = Image<uint16_t>;
