@@ -9,7 +9,9 @@ Fails, naming file, line and module, when
 * a file includes a header of a module that its own module does not list in USES,
 * a file includes private headers of another module, a header of apps/ or tests/, or a path with ..,
 * a public header includes anything but the standard library, Eigen, nlohmann/json_fwd.hpp and ours,
-* a source in a module's folder is missing from its CMakeLists.txt (it would never be compiled).
+* a source in a module's folder is missing from its CMakeLists.txt (it would never be compiled),
+* headers of two modules define a type of one name, or a function of one name and one list of types:
+  the linker would take one of the two for both.
 """
 import pathlib
 import re
@@ -17,6 +19,10 @@ import sys
 
 INCLUDE = re.compile(r'\s*#\s*include\s+([<"])([^>"]+)[>"]')
 PUBLIC_THIRD_PARTY = re.compile(r"[a-z_0-9]+|Eigen/\w+|nlohmann/json_fwd\.hpp")
+# A function at namespace scope, as the formatter leaves it: its name and its parameters.
+FUNCTION = re.compile(r"^(?=\S)(?!template|using|struct|class|enum|#|\}|public|private)[^;{}()=]*?\b(\w+)\(([^;{}]*?)\)"
+                      r"(?: noexcept)?\s*[;{]", re.M)
+TYPE = re.compile(r"^(?:class|struct|enum class) (\w+)[^;(){}]*\{", re.M)
 KEYS = {"NAME", "HEADERS", "SOURCES", "USES", "PUBLIC_LIBS", "PRIVATE_LIBS"}
 TESTING_MODULE = "synthetic"
 
@@ -105,6 +111,33 @@ def check_lists(root, module, lists):
     return problems
 
 
+def types_of(parameters):
+    """The types of a parameter list, without names and default values."""
+    types, depth = [""], 0
+    for letter in re.sub(r"\s+", " ", parameters):
+        depth += (letter in "<({") - (letter in ">)}")
+        if letter == "," and depth == 0:
+            types.append("")
+        else:
+            types[-1] += letter
+    types = [re.sub(r"\s*=.*", "", text).strip() for text in types]
+    return tuple(re.sub(r"(?<=[\w>&*]) \w+$", "", re.sub(r"([&*])(\w)", r"\1 \2", text))
+                 .removeprefix("const ") for text in types)
+
+
+def check_names(root):
+    """Types and functions that headers of two modules declare."""
+    declared = {}
+    for path in sorted([*root.glob("include/enfilade/*/*.h"), *root.glob("src/*/*.h")]):
+        text = re.sub(r"//.*", "", path.read_text())
+        names = [hit[1] for hit in TYPE.finditer(text)]
+        names += [f"{hit[1]}({', '.join(types_of(hit[2]))})" for hit in FUNCTION.finditer(text)]
+        for name in names:
+            declared.setdefault(name, {}).setdefault(path.parent.name, path.relative_to(root))
+    return [f"{' and '.join(map(str, where.values()))}: two modules declare {name}"
+            for name, where in declared.items() if len(where) > 1]
+
+
 def check(root):
     """Number of modules, and one line a problem."""
     order, modules = parse_tree(root)
@@ -113,6 +146,7 @@ def check(root):
         problems += check_uses(module, lists["USES"], order)
         problems += check_includes(root, module, lists["USES"])
         problems += check_lists(root, module, lists)
+    problems += check_names(root)
     return len(modules), problems
 
 

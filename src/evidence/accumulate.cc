@@ -144,9 +144,8 @@ EvidenceReport AccumulateEvidence(const WallSampleSet& samples, const EvidencePo
     report.reason = "no column of any panorama saw a wall";
     return report;
   }
-  const DistanceBins bins(
-      samples.bin_m,
-      {options.position_sigma_m, DegToRad(options.angle_sigma_deg), options.camera_height_m});
+  const RangeBins bins(samples.bin_m, {options.position_sigma_m, DegToRad(options.angle_sigma_deg),
+                                       options.camera_height_m});
   ViewEvidence evidence{options, MakePolarViews(samples, bins, context), {}, 0};
   evidence.weights = WeightsByPlace(evidence.views, options.same_place_m);
   evidence.far_m = std::min(static_cast<float>(options.max_range_m), bins.far_m());

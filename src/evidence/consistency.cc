@@ -22,7 +22,7 @@ class ColumnWalk {
              float far_m)
       : grids_(grids), model_(model), options_(options), far_m_(far_m) {}
 
-  void Walk(const PolarView& view, const DistanceBins& bins, const Eigen::Vector2d& direction,
+  void Walk(const PolarView& view, const RangeBins& bins, const Eigen::Vector2d& direction,
             float* trust) const {
     const auto step = static_cast<float>(grids_.frame.cell_m);
     const auto window = static_cast<size_t>(std::max(1.0f, std::round(kWindow / step)));

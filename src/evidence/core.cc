@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/disjoint_sets.h"
 #include "enfilade/evidence/ray_traversal.h"
 #include "enfilade/image/distance_transform.h"
 #include "regions.h"

@@ -27,7 +27,7 @@ double DistanceError::Sigma(double r_m) const {
   return std::hypot(position_sigma_m, angle_sigma_rad * (r_m * r_m + h * h) / h);
 }
 
-DistanceBins::DistanceBins(const std::vector<double>& bin_m, const DistanceError& error) {
+RangeBins::RangeBins(const std::vector<double>& bin_m, const DistanceError& error) {
   const size_t n = bin_m.size();
   ENFILADE_CHECK(n >= 2 && bin_m.front() > 0);
   for (size_t i = 0; i + 1 < n; ++i) ENFILADE_CHECK(bin_m[i] < bin_m[i + 1]);
@@ -66,14 +66,14 @@ DistanceBins::DistanceBins(const std::vector<double>& bin_m, const DistanceError
   }
 }
 
-int DistanceBins::BinAt(float r_m) const {
+int RangeBins::BinAt(float r_m) const {
   const auto step = static_cast<size_t>((r_m - edge_m_.front()) * steps_per_m_);
   int bin = bin_of_step_[std::min(step, bin_of_step_.size() - 1)];
   while (bin + 1 < size() && r_m >= edge_m(bin + 1)) ++bin;
   return bin;
 }
 
-void DistanceBins::BlurredCdf(const std::vector<float>& probability, float* cdf) const {
+void RangeBins::BlurredCdf(const std::vector<float>& probability, float* cdf) const {
   std::fill(cdf, cdf + size() + 1, 0.0f);
   for (size_t i = 0; i < spread_.size(); ++i) {
     const float p = probability[i];
@@ -87,7 +87,7 @@ void DistanceBins::BlurredCdf(const std::vector<float>& probability, float* cdf)
   for (int i = 0; i <= size(); ++i) cdf[i] /= total;
 }
 
-float DistanceBins::Evaluate(const float* at_edges, float r_m) const {
+float RangeBins::Evaluate(const float* at_edges, float r_m) const {
   if (r_m <= edge_m_.front()) return at_edges[0];
   if (r_m >= edge_m_.back()) return at_edges[size()];
   const int bin = BinAt(r_m);
@@ -95,7 +95,7 @@ float DistanceBins::Evaluate(const float* at_edges, float r_m) const {
   return at_edges[bin] + t * (at_edges[bin + 1] - at_edges[bin]);
 }
 
-PolarView::PolarView(const DistanceBins& bins, std::vector<const WallSample*> columns)
+PolarView::PolarView(const RangeBins& bins, std::vector<const WallSample*> columns)
     : bins_(&bins), view_idx_(columns.at(0)->view_idx), origin_(columns[0]->origin) {
   const auto azimuth = [](const WallSample* s) {
     return std::atan2(s->direction.y(), s->direction.x());
@@ -214,7 +214,7 @@ std::optional<PolarReading> PolarView::Read(const Eigen::Vector2f& offset, float
   return reading;
 }
 
-std::vector<PolarView> MakePolarViews(const WallSampleSet& samples, const DistanceBins& bins,
+std::vector<PolarView> MakePolarViews(const WallSampleSet& samples, const RangeBins& bins,
                                       RunContext& context) {
   std::map<int, std::vector<const WallSample*>> columns_of_view;
   for (const WallSample& sample : samples.samples) {

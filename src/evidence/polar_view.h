@@ -24,9 +24,9 @@ struct DistanceError {
 
 /// The distance bins of a sample set with what every column shares: edges, a table that finds the
 /// bin of a distance, and the blur by DistanceError as a band matrix.
-class DistanceBins {
+class RangeBins {
  public:
-  DistanceBins(const std::vector<double>& bin_m, const DistanceError& error);
+  RangeBins(const std::vector<double>& bin_m, const DistanceError& error);
 
   [[nodiscard]] int size() const { return static_cast<int>(edge_m_.size()) - 1; }
   [[nodiscard]] float edge_m(int i) const { return edge_m_[i]; }
@@ -64,11 +64,11 @@ struct PolarReading {
 class PolarView {
  public:
   /// `columns` are samples of one view that saw something; not empty.
-  PolarView(const DistanceBins& bins, std::vector<const WallSample*> columns);
+  PolarView(const RangeBins& bins, std::vector<const WallSample*> columns);
 
   [[nodiscard]] const Eigen::Vector2d& origin() const { return origin_; }
   [[nodiscard]] int view_idx() const { return view_idx_; }
-  [[nodiscard]] const DistanceBins& bins() const { return *bins_; }
+  [[nodiscard]] const RangeBins& bins() const { return *bins_; }
   [[nodiscard]] int num_columns() const { return static_cast<int>(columns_.size()); }
   [[nodiscard]] Eigen::Vector2d Direction(int column) const;
   /// columns × (bins + 1) values at the edges of the bins, columns by ascending azimuth.
@@ -103,7 +103,7 @@ class PolarView {
     return table.data() + static_cast<size_t>(column) * static_cast<size_t>(bins_->size() + 1);
   }
 
-  const DistanceBins* bins_;
+  const RangeBins* bins_;
   int view_idx_;
   Eigen::Vector2d origin_;
   std::vector<Column> columns_;     // ascending azimuth
@@ -115,6 +115,6 @@ class PolarView {
 /// The views of a sample set in ascending view_idx; columns without a distribution are left out.
 /// Checks (as bugs) that samples are finite, have one entry a bin, and that a view has one origin.
 [[nodiscard]] std::vector<PolarView> MakePolarViews(const WallSampleSet& samples,
-                                                    const DistanceBins& bins, RunContext& context);
+                                                    const RangeBins& bins, RunContext& context);
 
 }  // namespace enfilade

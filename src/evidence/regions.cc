@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 namespace enfilade {
@@ -69,25 +68,6 @@ ImageI GrowLabels(const ImageI& seeds, const ImageU8& mask) {
     }
   }
   return label;
-}
-
-DisjointSets::DisjointSets(int n) : parent_(static_cast<size_t>(n)) {
-  std::iota(parent_.begin(), parent_.end(), 0);
-}
-
-int DisjointSets::Find(int i) {
-  while (parent_[i] != i) {
-    const int above = parent_[i];
-    parent_[i] = parent_[above];
-    i = above;
-  }
-  return i;
-}
-
-void DisjointSets::Join(int a, int b) {
-  a = Find(a);
-  b = Find(b);
-  parent_[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace enfilade

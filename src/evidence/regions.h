@@ -24,15 +24,4 @@ struct Components {
 /// nearest one by steps; ties go to the seed met first row by row. Others stay 0.
 [[nodiscard]] ImageI GrowLabels(const ImageI& seeds, const ImageU8& mask);
 
-/// Disjoint sets of 0 … n − 1 whose representative is the smallest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(int n);
-  [[nodiscard]] int Find(int i);
-  void Join(int a, int b);
-
- private:
-  std::vector<int> parent_;
-};
-
 }  // namespace enfilade

@@ -3,12 +3,12 @@
 #include "src/exchange/zind.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "enfilade/base/errors.h"
 #include "enfilade/base/json.h"
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "src/exchange/json_geometry.h"
 #include "src/exchange/pose_file.h"
@@ -19,11 +19,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kMaxGroupDepth = 8;
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 ZindPanorama ReadPanorama(const Json& object, int floor_idx, const std::string& group,
                           const std::string& where) {
@@ -94,7 +89,7 @@ double MedianHeight(const ZindTour& tour, int floor_idx) {
   for (const ZindPanorama& panorama : tour.panoramas) {
     if (panorama.floor_idx == floor_idx) heights.push_back(panorama.scale * panorama.camera_height);
   }
-  return Median(heights);
+  return UpperMedian(heights);
 }
 
 // Fills m_per_coordinate of every floor and says where it came from.
@@ -120,7 +115,7 @@ void FindScales(ZindTour& tour, double camera_height_m, const std::string& where
     source = fmt::format("{} m above the floor, as given", height_m);
     tour.scale_source = ScaleSource::kCameraHeight;
   } else if (!known_heights_m.empty()) {
-    height_m = Median(known_heights_m);
+    height_m = UpperMedian(known_heights_m);
     source = fmt::format("{:.3f} m above the floor, as on the floors with a scale", height_m);
     tour.scale_source = ScaleSource::kPoses;
   }
@@ -188,7 +183,7 @@ ZindTour ReadZindTour(const std::filesystem::path& path, double camera_height_m)
   for (const ZindPanorama& panorama : tour.panoramas) {
     heights_m.push_back(tour.MetresPerLocal(panorama) * panorama.camera_height);
   }
-  tour.camera_height_m = Median(heights_m);
+  tour.camera_height_m = UpperMedian(heights_m);
   return tour;
 }
 

@@ -61,7 +61,7 @@ std::vector<size_t> BoxIndex::Touching(const Box2& box) const {
 BoxIndex IndexWalls(const std::vector<Wall>& walls) {
   std::vector<Box2> boxes;
   for (const Wall& wall : walls)
-    boxes.push_back(Grown(BoundsOf(wall.a, wall.b), AsideOf((wall.b - wall.a).norm())));
+    boxes.push_back(Grown(BoxOf(wall.a, wall.b), AsideOf((wall.b - wall.a).norm())));
   return BoxIndex(std::move(boxes));
 }
 

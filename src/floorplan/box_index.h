@@ -13,7 +13,7 @@ namespace enfilade {
 
 using Box2 = Eigen::AlignedBox2d;
 
-[[nodiscard]] inline Box2 BoundsOf(const Ring2& ring) {
+[[nodiscard]] inline Box2 BoxOf(const Ring2& ring) {
   Box2 bounds;
   for (const Eigen::Vector2d& p : ring) bounds.extend(p);
   return bounds;
@@ -22,7 +22,7 @@ using Box2 = Eigen::AlignedBox2d;
 /// How far a line of this length may go aside of one that it counts as parallel to: 11.5°.
 [[nodiscard]] inline double AsideOf(double length_m) { return 0.2 * length_m; }
 
-[[nodiscard]] inline Box2 BoundsOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+[[nodiscard]] inline Box2 BoxOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 

@@ -64,7 +64,7 @@ MultiPolygon2 FindUnseenWalls(const LoopField& field, double reach_m, size_t num
   MultiPolygon2 gaps;
   std::vector<Box2> boxes;
   for (size_t i = 0; i < num_entered; ++i)
-    boxes.push_back(Grown(BoundsOf(rooms[i].outer), kThickestGap_m));
+    boxes.push_back(Grown(BoxOf(rooms[i].outer), kThickestGap_m));
   const BoxIndex index(boxes);
   for (size_t i = 0; i < num_entered; ++i) {
     for (const size_t j : index.Touching(boxes[i])) {
@@ -81,9 +81,9 @@ int JoinAcross(const MultiPolygon2& gaps, std::vector<Polygon2>& rooms) {
   int num_joins = 0;
   for (const Polygon2& gap : gaps) {
     std::vector<size_t> beside;
-    const Box2 bounds = BoundsOf(gap.outer);
+    const Box2 bounds = BoxOf(gap.outer);
     for (size_t i = 0; i < rooms.size(); ++i) {
-      if (!BoundsOf(rooms[i].outer).intersects(bounds)) continue;
+      if (!BoxOf(rooms[i].outer).intersects(bounds)) continue;
       if (Area(Intersection({rooms[i]}, {gap})) > 0) beside.push_back(i);
     }
     if (beside.size() != 2) continue;

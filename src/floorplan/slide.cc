@@ -62,13 +62,13 @@ void CancelCollapses(std::vector<Edge>& edges) {
   std::vector<Box2> boxes;
   double longest_shift_m = 0;
   for (const Edge& edge : all) {
-    boxes.push_back(Grown(BoundsOf(edge.a, edge.b), AsideOf(edge.Length())));
+    boxes.push_back(Grown(BoxOf(edge.a, edge.b), AsideOf(edge.Length())));
     longest_shift_m = std::max(longest_shift_m, shift_of(edge).norm());
   }
   const BoxIndex index(boxes);
   const double reach_m = kMinGap_m + 2 * longest_shift_m;
   for (size_t i = 0; i < all.size(); ++i) {
-    for (const size_t j : index.Touching(Grown(BoundsOf(all[i].a, all[i].b), reach_m))) {
+    for (const size_t j : index.Touching(Grown(BoxOf(all[i].a, all[i].b), reach_m))) {
       const Vector2d along = all[i].Direction(), normal = all[i].Normal();
       if (along.dot(all[j].Direction()) > -0.99) continue;
       const double from = std::max(0.0, along.dot(all[j].b - all[i].a));

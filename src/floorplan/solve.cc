@@ -55,7 +55,7 @@ void RemoveOverlaps(std::vector<Polygon2>& polygons) {
   for (size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
     if (!polygons[i].holes.empty()) polygons[i] = WithRingsApart(polygons[i], kCollinear_m);
-    boxes.push_back(BoundsOf(polygons[i].outer));
+    boxes.push_back(BoxOf(polygons[i].outer));
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return Area(polygons[a]) > Area(polygons[b]); });

@@ -79,9 +79,9 @@ class SpaceTaker {
   void FindNear(const Polygon2& space) {
     near_.clear();
     const double reach_m = options_.wall_thickness_m + 2 * kTouch_m;
-    const Box2 bounds = BoundsOf(space.outer);
+    const Box2 bounds = BoxOf(space.outer);
     for (size_t i = 0; i < rooms_.size(); ++i) {
-      if (bounds.exteriorDistance(BoundsOf(rooms_[i].outer)) <= reach_m) near_.push_back(i);
+      if (bounds.exteriorDistance(BoxOf(rooms_[i].outer)) <= reach_m) near_.push_back(i);
     }
   }
 
@@ -151,9 +151,9 @@ class SpaceTaker {
   }
 
   [[nodiscard]] bool OverlapsOthers(const Polygon2& polygon, std::optional<size_t> own) const {
-    const Box2 bounds = BoundsOf(polygon.outer);
+    const Box2 bounds = BoxOf(polygon.outer);
     for (size_t i = 0; i < rooms_.size(); ++i) {
-      if (i == own || !bounds.intersects(BoundsOf(rooms_[i].outer))) continue;
+      if (i == own || !bounds.intersects(BoxOf(rooms_[i].outer))) continue;
       if (Area(Intersection({polygon}, {rooms_[i]})) > kMaxOverlap_m2) return true;
     }
     return false;

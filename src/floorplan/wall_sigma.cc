@@ -58,7 +58,7 @@ struct Line {
 double CollinearLength(const Storey& storey, const BoxIndex& index, const Wall& wall) {
   const Line line(wall);
   const Vector2d reach = index.bounds().diagonal().norm() * line.along;
-  const Box2 beside = Grown(BoundsOf(wall.a - reach, wall.a + reach), kOnLine_m);
+  const Box2 beside = Grown(BoxOf(wall.a - reach, wall.a + reach), kOnLine_m);
   double sum = 0;
   for (const size_t i : index.Touching(beside)) {
     const Wall& other = storey.walls[i];
@@ -75,7 +75,7 @@ double CollinearLength(const Storey& storey, const BoxIndex& index, const Wall& 
 bool HasTwin(const Storey& storey, const BoxIndex& index, const Wall& wall) {
   const Line line(wall);
   const double wall_length = (wall.b - wall.a).norm();
-  const std::vector<size_t> near = index.Touching(Grown(BoundsOf(wall.a, wall.b), kThickestWall_m));
+  const std::vector<size_t> near = index.Touching(Grown(BoxOf(wall.a, wall.b), kThickestWall_m));
   return std::any_of(near.begin(), near.end(), [&](size_t i) {
     const Wall& other = storey.walls[i];
     const double length = (other.b - other.a).norm();

@@ -38,7 +38,7 @@ void MeasureThickness(double max_wall_m, Storey& storey) {
   for (Wall& wall : storey.walls) {
     const Wall* far_face = nullptr;
     double most = kMinShare * (wall.b - wall.a).norm();
-    for (const size_t i : index.Touching(Grown(BoundsOf(wall.a, wall.b), max_wall_m))) {
+    for (const size_t i : index.Touching(Grown(BoxOf(wall.a, wall.b), max_wall_m))) {
       const Wall& other = storey.walls[i];
       if (other.room_id == wall.room_id) continue;
       const double common = CommonLength(wall, other, max_wall_m);

@@ -48,14 +48,14 @@ std::vector<std::vector<const Opening*>> OpeningsOfWalls(const Storey& storey) {
   for (const Opening& opening : storey.openings) {
     if (opening.kind == OpeningKind::kWindow || (opening.b - opening.a).norm() < kJamb_m) continue;
     passages.push_back(&opening);
-    boxes.push_back(Grown(BoundsOf(opening.a, opening.b), kOpeningReach_m + kJamb_m));
+    boxes.push_back(Grown(BoxOf(opening.a, opening.b), kOpeningReach_m + kJamb_m));
   }
   const BoxIndex index(std::move(boxes));
   std::vector<std::vector<const Opening*>> of_walls;
   for (const Wall& wall : storey.walls) {
     const Vector2d along = (wall.b - wall.a).normalized();
     std::vector<const Opening*>& of_wall = of_walls.emplace_back();
-    for (const size_t i : index.Touching(BoundsOf(wall.a, wall.b))) {
+    for (const size_t i : index.Touching(BoxOf(wall.a, wall.b))) {
       const Vector2d span = passages[i]->b - passages[i]->a;
       if (std::abs(span.dot(along)) >= 0.99 * span.norm()) of_wall.push_back(passages[i]);
     }

@@ -9,9 +9,9 @@
 #include <array>
 #include <cmath>
 
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/gravity.h"
-#include "src/sfm/median.h"
 
 namespace enfilade {
 namespace {
@@ -199,7 +199,7 @@ Eigen::Vector2d LeanOf(std::span<const Rigid3> given, std::span<const Gravity> g
     x.push_back(up.x());
     y.push_back(up.y());
   }
-  const Eigen::Vector2d lean(Median(x), Median(y));
+  const Eigen::Vector2d lean(UpperMedian(x), UpperMedian(y));
   const double bound =
       kSignificance * rotation_sigma_rad / std::sqrt(static_cast<double>(x.size()));
   return lean.norm() < bound ? Eigen::Vector2d(0, 0) : lean;
@@ -304,7 +304,7 @@ class Bundle {
     for (size_t i = 0; i < blocks_.size(); ++i) {
       if (is_used_[i]) heights.push_back(world_from_cam_[i].translation.z());
     }
-    const double middle = Median(heights);
+    const double middle = UpperMedian(heights);
     double weight = 0, sum = 0;
     for (const double height : heights) {
       const double apart = (height - middle) / (kHeightReach * options_.camera_height_sigma);

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "src/sfm/match_pairs.h"
-#include "src/sfm/median.h"
 #include "src/sfm/seen_pictures.h"
 
 namespace enfilade {
@@ -139,8 +139,8 @@ void TakePoses(std::span<const Rigid3> poses, Scene& scene, GivenPoseReport& rep
     }
     pose = poses[i];
   }
-  report.median_shift_m = Median(shifts_m);
-  report.median_turn_rad = Median(turns_rad);
+  report.median_shift_m = UpperMedian(shifts_m);
+  report.median_turn_rad = UpperMedian(turns_rad);
 }
 
 }  // namespace

@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "enfilade/base/check.h"
-
-#include "src/sfm/median.h"
+#include "enfilade/base/median.h"
 
 namespace enfilade {
 namespace {
@@ -44,9 +43,9 @@ double RobustInformationMean(std::span<const double> values, std::span<const dou
     if (information[i] > 0) informed.push_back(values[i]);
   }
   if (informed.empty()) return 0;
-  double mean = Median(informed);
+  double mean = UpperMedian(informed);
   for (double& value : informed) value = std::abs(value - mean);
-  const double scale = std::max(1.4826 * Median(informed), kMinScale);
+  const double scale = std::max(1.4826 * UpperMedian(informed), kMinScale);
   std::vector<double> weights(values.size());
   for (int round = 0; round < kNumReweightings; ++round) {
     for (size_t i = 0; i < values.size(); ++i) {

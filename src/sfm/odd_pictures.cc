@@ -9,13 +9,13 @@
 #include <optional>
 #include <utility>
 
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/rigid3.h"
 #include "enfilade/sfm/descriptor_matcher.h"
 #include "enfilade/sfm/two_view.h"
 #include "src/sfm/level_rays.h"
 #include "src/sfm/match_pairs.h"
-#include "src/sfm/median.h"
 #include "src/sfm/wall_view.h"
 
 namespace enfilade {
@@ -188,7 +188,7 @@ std::vector<OddTie> FindCopies(std::span<const PanoFeatures> features,
                         pair.a_from_b * rays_b[static_cast<size_t>(match.b_idx)])
                            .norm());
     }
-    if (Median(angles) < kCopyAngle_rad) copies.push_back({pair.b_idx, pair.a_idx, 0});
+    if (UpperMedian(angles) < kCopyAngle_rad) copies.push_back({pair.b_idx, pair.a_idx, 0});
   }
   return copies;
 }

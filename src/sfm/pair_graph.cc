@@ -4,6 +4,7 @@
 
 #include <queue>
 
+#include "enfilade/base/disjoint_sets.h"
 #include "enfilade/sfm/view_graph.h"
 
 namespace enfilade {

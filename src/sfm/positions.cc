@@ -8,10 +8,11 @@
 #include <cmath>
 #include <map>
 
+#include "enfilade/base/disjoint_sets.h"
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/sfm/two_view.h"
 #include "enfilade/sfm/view_graph.h"
-#include "src/sfm/median.h"
 #include "src/sfm/pair_graph.h"
 
 namespace enfilade {
@@ -184,7 +185,7 @@ std::vector<LengthRatio> CollectLengthRatios(std::span<const PanoPair> pairs,
         }
         if (shared.size() < kMinShared) continue;
         const double count = static_cast<double>(shared.size());
-        ratios.push_back({pairs_at[view][i], pairs_at[view][j], Median(shared),
+        ratios.push_back({pairs_at[view][i], pairs_at[view][j], UpperMedian(shared),
                           std::max(kMinRatioSigma, kFeatureSigma / std::sqrt(count))});
       }
     }

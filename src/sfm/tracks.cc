@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "enfilade/base/disjoint_sets.h"
 #include "enfilade/sfm/view_graph.h"
 #include "src/sfm/pair_graph.h"
 

@@ -10,11 +10,11 @@
 #include <limits>
 #include <optional>
 
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/rigid3.h"
 #include "src/sfm/feature_sizes.h"
 #include "src/sfm/landscape.h"
-#include "src/sfm/median.h"
 #include "src/sfm/upright_votes.h"
 
 namespace enfilade {
@@ -228,7 +228,7 @@ std::pair<Matrix3d, double> BestRotation(std::span<const RayPair> matches) {
     if (!IsTurned(best.first, rays)) continue;
     yaws.push_back(WrapPi(TurnOf(rays) - middle));
   }
-  best.first = RotationZ(middle + Median(yaws));
+  best.first = RotationZ(middle + UpperMedian(yaws));
   return best;
 }
 
@@ -339,7 +339,7 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
     pair.inliers.push_back(matches[near_idx[k]]);
     parallaxes.push_back(Parallax(best.geometry, near[k]));
   }
-  pair.parallax_rad = Median(parallaxes);
+  pair.parallax_rad = UpperMedian(parallaxes);
   const auto [rotation, num_turned] = BestRotation(rays);
   const double num_inliers = static_cast<double>(pair.inliers.size());
   if (num_turned >= options.min_inliers && num_turned >= kSamePlaceShare * num_inliers &&

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "enfilade/base/disjoint_sets.h"
 #include "enfilade/geometry/angles.h"
 #include "src/sfm/pair_graph.h"
 

@@ -12,6 +12,7 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
+#include "enfilade/base/median.h"
 #include "enfilade/evidence/accumulate.h"
 #include "enfilade/evidence/core.h"
 #include "enfilade/evidence/point_labels.h"
@@ -89,8 +90,7 @@ DistanceBins MakeBins(const StructureOptions& options) {
 double MedianCameraZ(const std::vector<ViewWork>& works, const std::vector<int>& members) {
   std::vector<double> z;
   for (const int i : members) z.push_back(works[static_cast<size_t>(i)].position.z());
-  std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2), z.end());
-  return z[z.size() / 2];
+  return UpperMedian(std::move(z));
 }
 
 // Solves the panoramas of one storey.
@@ -130,10 +130,7 @@ class StoreySolver {
   [[nodiscard]] StoreyStructure storey() const {
     std::vector<double> ceilings;
     for (const ViewWork& work : works_) ceilings.push_back(work.ceiling.ceiling_z);
-    std::nth_element(ceilings.begin(),
-                     ceilings.begin() + static_cast<std::ptrdiff_t>(ceilings.size() / 2),
-                     ceilings.end());
-    return {floor_.floor_z, ceilings[ceilings.size() / 2], floor_.baseboard.height_m};
+    return {floor_.floor_z, UpperMedian(std::move(ceilings)), floor_.baseboard.height_m};
   }
 
   [[nodiscard]] WallProfile Profile(size_t i) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/median.h"
 #include "enfilade/structure/heights.h"
 #include "src/structure/height_scores.h"
 
@@ -101,7 +102,7 @@ class CeilingFinder {
                 });
     home_.assign(num_heights, 0);
     for (std::vector<double>& curve : curves_) {
-      medians_.push_back(Median(curve));
+      medians_.push_back(UpperMedian(curve));
       for (size_t h = 0; h < num_heights; ++h) {
         curve[h] = std::max(0.0, curve[h] - medians_.back());
         home_[h] += curve[h] / static_cast<double>(curves_.size());

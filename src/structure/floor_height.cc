@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/median.h"
 #include "enfilade/structure/heights.h"
 #include "enfilade/structure/shared_scores.h"
 #include "src/structure/height_scores.h"
@@ -72,7 +73,7 @@ double FloorScore(std::span<const HeightView> views, const std::vector<std::vect
 double MedianCameraZ(std::span<const HeightView> views) {
   std::vector<double> z;
   for (const HeightView& view : views) z.push_back(view.position.z());
-  return Median(std::move(z));
+  return UpperMedian(std::move(z));
 }
 
 // Where pictures do not part the two lines the second one is a shoulder of the first one's lobe: a
@@ -144,7 +145,7 @@ class FloorSearch {
     const std::vector<double> floors = FloorsBelow(low, high, options_.step_m);
     const std::vector<double> scores = Score(floors, {});
     estimate_.floor_z = PeakPosition(scores, floors);
-    estimate_.contrast = scores[ArgMax(scores)] - Median(scores);
+    estimate_.contrast = scores[ArgMax(scores)] - UpperMedian(scores);
   }
 
   // The line that was found may be either edge of a baseboard: the floor is at it or below.

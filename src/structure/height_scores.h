@@ -24,9 +24,6 @@ inline constexpr double kCorrelationFactor = 2.0;
 /// What a height loses, in mean response, because it usually is another.
 [[nodiscard]] double PriorLoss(double height_m, double mean_m, double sigma_m);
 
-/// The upper one of two in the middle. `values` must not be empty.
-[[nodiscard]] double Median(std::vector<double> values);
-
 /// Index of the first of the largest values.
 [[nodiscard]] size_t ArgMax(const std::vector<double>& values);
 

@@ -43,7 +43,7 @@ Ring2 RingWithNotches(const Rectangle& r, const std::vector<Notch>& notches) {
 // The hall, in the left part of `strip`, and the room at its end, which takes the rest of the
 // strip: at the room's full width, or as an L.
 bool AddHall(const Rectangle& strip, const Rectangle& end_room, double wall_below_m,
-             std::vector<RoomOutline>& out, Random& random) {
+             std::vector<RoomShape>& out, Random& random) {
   const double wall_m = InnerThickness(random), left = end_room.min.x();
   double hall_end = left - wall_m;
   std::vector<Notch> notches;
@@ -58,9 +58,9 @@ bool AddHall(const Rectangle& strip, const Rectangle& end_room, double wall_belo
 }
 
 // Cuts closets out of the top side of a room: one in a corner or in the middle, two in the corners.
-bool CutClosets(const Rectangle& room, int count, std::vector<RoomOutline>& out, Random& random) {
+bool CutClosets(const Rectangle& room, int count, std::vector<RoomShape>& out, Random& random) {
   std::vector<Notch> notches;
-  std::vector<RoomOutline> closets;
+  std::vector<RoomShape> closets;
   const double depth_m = random.Millimetres(0.75, 1.1);
   const double width_m = room.Size().x(), left = room.min.x(), right = room.max.x();
   if (room.Size().y() - depth_m - 0.2 < kMinArm_m) return false;
@@ -127,7 +127,7 @@ std::optional<RoomLayout> MakeHallLayout(int num_rooms, Random& random) {
 
   for (int axis : {0, 1}) {
     if (!random.Chance(0.5)) continue;
-    for (RoomOutline& room : layout.rooms) Mirror(room.ring, whole, axis);
+    for (RoomShape& room : layout.rooms) Mirror(room.ring, whole, axis);
   }
   return layout;
 }

@@ -59,7 +59,7 @@ void AddRooms(Home& home, const RoomLayout& layout, Random& random) {
   const Vector2d shift =
       Vector2d(random.Millimetres(-2, 2), random.Millimetres(-2, 2)) - 0.5 * layout.max;
   const double floor_z = random.Millimetres(-0.3, 0.3);
-  for (const RoomOutline& outline : layout.rooms) {
+  for (const RoomShape& outline : layout.rooms) {
     HomeRoom room;
     room.id = static_cast<int>(home.rooms.size());
     for (const Vector2d& p : outline.ring) room.polygon.outer.push_back(p + shift);

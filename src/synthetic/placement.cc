@@ -71,7 +71,7 @@ RoomBlocks BlocksOf(const Home& home, const HomeRoom& room) {
   return blocks;
 }
 
-Stand RandomStand(const HomeRoom& room, const FurniturePiece& piece, Random& random) {
+PieceStand RandomStand(const HomeRoom& room, const FurniturePiece& piece, Random& random) {
   const std::vector<HomeWall> walls = WallsOf(room);
   const HomeWall& wall = random.Pick(walls);
   const double yaw_rad = std::atan2(wall.Along().y(), wall.Along().x());
@@ -84,7 +84,7 @@ bool TryPlacePiece(Home& home, const HomeRoom& room, const FurniturePiece& piece
                    RoomBlocks& blocks, Random& random) {
   constexpr int kTries = 60;
   for (int i = 0; i < kTries; ++i) {
-    const Stand stand = RandomStand(room, piece, random);
+    const PieceStand stand = RandomStand(room, piece, random);
     const Ring2 footprint = PieceFootprint(piece, stand, 0);
     if (!IsConvexInside(footprint, room.polygon)) continue;
     const Ring2 wide = PieceFootprint(piece, stand, kItemGap_m);
@@ -132,13 +132,14 @@ Vector2d InnermostPlace(const Polygon2& polygon) {
 
 }  // namespace
 
-Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand, double margin_m) {
+Ring2 PieceFootprint(const FurniturePiece& piece, const PieceStand& stand, double margin_m) {
   const double half = 0.5 * piece.footprint.x() + margin_m;
   return RectangleRing({-half, -std::min(margin_m, 0.5 * kWallGap_m)},
                        {half, piece.footprint.y() + margin_m}, stand.origin, stand.yaw_rad);
 }
 
-void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, const Stand& stand) {
+void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece,
+              const PieceStand& stand) {
   const int item = home.boxes.empty() ? 0 : home.boxes.back().item + 1;
   for (HomeBox box : piece.boxes) {
     box.item = item;

@@ -16,17 +16,18 @@ namespace enfilade {
 [[nodiscard]] std::vector<Ring2> DoorClearance(const HomeOpening& door);
 
 /// Where a piece stands: its back's middle and its heading.
-struct Stand {
+struct PieceStand {
   Eigen::Vector2d origin{0, 0};
   double yaw_rad = 0;
 };
 
 /// What a piece covers of the floor, with a margin at its sides and before it.
-[[nodiscard]] Ring2 PieceFootprint(const FurniturePiece& piece, const Stand& stand,
+[[nodiscard]] Ring2 PieceFootprint(const FurniturePiece& piece, const PieceStand& stand,
                                    double margin_m);
 
 /// Adds the boxes of a piece, an item of their own, without looking whether there is room.
-void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece, const Stand& stand);
+void AddPiece(Home& home, const HomeRoom& room, const FurniturePiece& piece,
+              const PieceStand& stand);
 
 struct FurnitureShare {
   double of_pieces = 0.5;  ///< that a room may hold

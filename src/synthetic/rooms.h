@@ -12,14 +12,14 @@
 namespace enfilade {
 
 /// A room's outline, counter-clockwise, and its use where the layout settles it.
-struct RoomOutline {
+struct RoomShape {
   Ring2 ring;
   std::optional<RoomUse> use = std::nullopt;
 };
 
 /// Rooms side by side, apart by walls.
 struct RoomLayout {
-  std::vector<RoomOutline> rooms;
+  std::vector<RoomShape> rooms;
   Eigen::Vector2d min{0, 0}, max{0, 0};  ///< the rectangle inside the outer walls
   double max_wall_thickness_m = 0.12;    ///< of the walls between rooms
 };

@@ -80,8 +80,8 @@ bool WallFitter::IsClearOfCameras(const Ring2& ring, double reach_m) const {
 
 bool WallFitter::FixAt(const HomeWall& wall, double middle_m, const FurniturePiece& piece,
                        BeforeWindows before_windows) {
-  const Stand stand{wall.a + middle_m * wall.Along(),
-                    std::atan2(wall.Along().y(), wall.Along().x())};
+  const PieceStand stand{wall.a + middle_m * wall.Along(),
+                         std::atan2(wall.Along().y(), wall.Along().x())};
   const std::pair<double, double> z = HeightsOf(piece, room_.floor_z);
   FurniturePiece deep = piece;
   deep.footprint.y() = std::max(piece.footprint.y(), kLeastDepth_m);

@@ -51,7 +51,7 @@ TEST(PolarView, EqualsBruteForceInColumnCentres) {
   // Bins are their own centres here: no refinement within a bin.
   for (WallSample& s : set.samples) s.wall_m = 0;
   const DistanceError error{0.05, 0.01, 1.4};
-  const DistanceBins bins(set.bin_m, error);
+  const RangeBins bins(set.bin_m, error);
   RunContext context(1);
   const std::vector<PolarView> views = MakePolarViews(set, bins, context);
   ASSERT_EQ(views.size(), 1u);
@@ -77,7 +77,7 @@ TEST(PolarView, StraightWallStaysStraightBetweenColumns) {
   plan.num_bins = 512;
   plan.distance = [](int, const Eigen::Vector2d& d) { return d.x() > 0.3 ? 3 / d.x() : 12; };
   const WallSampleSet set = SamplesOf(plan);
-  const DistanceBins bins(set.bin_m, {0.01, 0, 1.4});
+  const RangeBins bins(set.bin_m, {0.01, 0, 1.4});
   RunContext context(1);
   const PolarView view = MakePolarViews(set, bins, context)[0];
   for (double y = -4; y <= 4; y += 0.01) {
@@ -96,7 +96,7 @@ TEST(PolarView, DirectionsWithoutColumnsSayNothing) {
   PlanToSample plan = PlanFromText("-2,-2 2,-2 2,2 -2,2", {{0, 0}});
   WallSampleSet set = SamplesOf(plan);
   std::erase_if(set.samples, [](const WallSample& s) { return s.direction.x() < 0; });
-  const DistanceBins bins(set.bin_m, {});
+  const RangeBins bins(set.bin_m, {});
   RunContext context(1);
   const PolarView view = MakePolarViews(set, bins, context)[0];
   EXPECT_TRUE(view.Read({1, 0.2f}, 1.02f, 0, 0));
@@ -106,7 +106,7 @@ TEST(PolarView, DirectionsWithoutColumnsSayNothing) {
 TEST(PolarView, RefusesBrokenSamples) {
   const PlanToSample plan = PlanFromText("-2,-2 2,-2 2,2 -2,2", {{0, 0}});
   const WallSampleSet good = SamplesOf(plan);
-  const DistanceBins bins(good.bin_m, {});
+  const RangeBins bins(good.bin_m, {});
   RunContext context(1);
   const auto expect_refused = [&](auto&& spoil) {
     WallSampleSet set = good;

@@ -36,13 +36,5 @@ TEST(GrowLabels, FillsTheMaskFromTheNearestSeed) {
   EXPECT_THAT(GrowLabels(seeds, mask).data(), testing::ElementsAre(2, 2, 2, 1, 1, 1, 1, 0, 0));
 }
 
-TEST(DisjointSets, RepresentativeIsTheSmallest) {
-  DisjointSets sets(5);
-  sets.Join(4, 3);
-  sets.Join(3, 1);
-  EXPECT_EQ(sets.Find(4), 1);
-  EXPECT_EQ(sets.Find(2), 2);
-}
-
 }  // namespace
 }  // namespace enfilade

@@ -53,6 +53,24 @@ class CheckLayersTest(unittest.TestCase):
         self.assertEqual(status, 0, output)
         self.assertIn("no forbidden include", output)
 
+    def test_one_name_in_two_modules(self):
+        self.add_line("src/sfm/level_rays.h",
+                      "[[nodiscard]] double Twice(\n    const std::vector<double>& values, int n = 3);")
+        self.add_line("src/structure/height_scores.h",
+                      "inline bool Twice(const std::vector<double>& v, int number) { return true; }")
+        self.expect_problem("two modules declare Twice(std::vector<double>&, int)",
+                            "src/structure/height_scores.h")
+
+    def test_one_type_in_two_modules(self):
+        self.add_line("src/sfm/level_rays.h", "struct Twice {\n  int x;\n};")
+        self.add_line("include/enfilade/structure/heights.h", "class Twice final {\n};")
+        self.expect_problem("src/sfm/level_rays.h", "two modules declare Twice")
+
+    def test_overloads_are_no_problem(self):
+        self.add_line("src/sfm/level_rays.h", "double Twice(double x);")
+        self.add_line("src/structure/height_scores.h", "double Twice(double x, double y);")
+        self.assertEqual(self.check()[0], 0)
+
     def test_include_of_a_later_module(self):
         self.add_line("src/geometry/polygon2.cc", '#include "enfilade/scene/camera.h"')
         num_lines = len((self.root / "src/geometry/polygon2.cc").read_text().splitlines())

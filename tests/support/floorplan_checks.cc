@@ -53,7 +53,7 @@ void ExpectWallsAreEdges(const Storey& storey, const Room& room) {
 
 void ExpectValidStorey(const Storey& storey) {
   std::vector<Box2> boxes;
-  for (const Room& room : storey.rooms) boxes.push_back(BoundsOf(room.polygon.outer));
+  for (const Room& room : storey.rooms) boxes.push_back(BoxOf(room.polygon.outer));
   for (size_t i = 0; i < storey.rooms.size(); ++i) {
     const Room& room = storey.rooms[i];
     SCOPED_TRACE(testing::Message() << "room " << room.id);
