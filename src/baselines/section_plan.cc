@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "enfilade/base/median.h"
 #include "enfilade/evidence/accumulate.h"
 #include "enfilade/floorplan/assemble.h"
 #include "enfilade/structure/wall_samples.h"
@@ -37,13 +38,10 @@ std::vector<EvidenceGrids> CountsOf(const Scene& scene, const Structure& structu
   return grids;
 }
 
-// The upper one of two in the middle.
 double MedianHeight(const std::vector<Vector3d>& points) {
   std::vector<double> heights;
   for (const Vector3d& point : points) heights.push_back(point.z());
-  const auto middle = heights.begin() + static_cast<ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  return *middle;
+  return UpperMedian(std::move(heights));
 }
 
 }  // namespace

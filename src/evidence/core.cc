@@ -3,11 +3,11 @@
 #include "enfilade/evidence/core.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "enfilade/base/check.h"
@@ -22,7 +22,6 @@ namespace {
 constexpr int kMaxCores = 65535;
 // A wall that ends free space has its face no farther behind: twice the error of one pixel at 8 m.
 constexpr double kFaceReach_m = 0.3;
-constexpr std::array<std::pair<int, int>, 4> kSides{{{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
 
 struct Thresholds {
   float min_free;
@@ -190,8 +189,13 @@ int KeepRegionsWithCamera(const EvidenceGrids& grids, double snap_m, ImageI& lab
 struct PartBorder {
   int wall = 0;                 // a wall was seen behind them
   int open = 0;                 // nothing was
-  int mouth = 0;                // a region lies behind them
-  std::map<int, int> mouth_to;  // which one
+  std::map<int, int> mouth_to;  // a region lies behind them: which one
+
+  [[nodiscard]] int Mouth() const {
+    int mouth = 0;
+    for (const auto& [region, width] : mouth_to) mouth += width;
+    return mouth;
+  }
 
   // The region that it opens to most widely, and how widely.
   [[nodiscard]] std::pair<int, int> WidestMouth() const {
@@ -212,10 +216,9 @@ std::vector<PartBorder> MeasureBorders(const EvidenceGrids& grids, const Thresho
       const int part = parts.label(r, c);
       if (part == 0) continue;
       PartBorder& border = borders[part];
-      for (const auto& [dr, dc] : kSides) {
+      for (const auto& [dr, dc] : std::span(kNeighbours).first<4>()) {
         if (parts.label(r + dr, c + dc) != 0) continue;
         if (const int beside = region(r + dr, c + dc); beside != 0) {
-          ++border.mouth;
           ++border.mouth_to[beside];
           continue;
         }
@@ -251,7 +254,7 @@ int TakeInFarParts(const EvidenceGrids& grids, const Thresholds& thresholds,
   for (size_t i = 1; i < borders.size(); ++i) {
     const auto [beside, width] = borders[i].WidestMouth();
     if (beside == 0 || width * cell_m < options.min_neck_m) continue;
-    if (borders[i].open >= borders[i].wall + borders[i].mouth) continue;
+    if (borders[i].open >= borders[i].wall + borders[i].Mouth()) continue;
     owner[i] = beside;
     num_cells += parts.num_cells[i];
   }

@@ -9,10 +9,6 @@
 namespace enfilade {
 namespace {
 
-// The first four are the 4-neighbours.
-constexpr std::array<std::pair<int, int>, 8> kNeighbours{
-    {{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
-
 template <typename T>
 bool IsInside(const Image<T>& image, int row, int col) {
   return row >= 0 && col >= 0 && row < image.rows() && col < image.cols();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "enfilade/image/image.h"
@@ -9,6 +11,10 @@
 namespace enfilade {
 
 using ImageI = Image<int>;
+
+/// Row and column steps to the cells round one. The first four share a side with it.
+inline constexpr std::array<std::pair<int, int>, 8> kNeighbours{
+    {{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
 
 enum class Connectivity { kFour, kEight };
 

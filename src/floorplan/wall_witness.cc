@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/cross.h"
 #include "enfilade/geometry/polygon2.h"
@@ -117,18 +118,12 @@ std::optional<Hit> FirstWall(const std::vector<Wall>& walls, const std::vector<s
   return std::nullopt;
 }
 
-double MedianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 template <typename Function>
 double MedianOver(const std::vector<WallSighting>& sightings, const Function& function) {
   std::vector<double> values;
   values.reserve(sightings.size());
   for (const WallSighting& sighting : sightings) values.push_back(function(sighting));
-  return MedianOf(std::move(values));
+  return UpperMedian(std::move(values));
 }
 
 void Summarise(const Vector2d& camera, const Wall& wall, WallWitness& witness) {

@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
+#include "enfilade/base/median.h"
 #include "src/model/tile_views.h"
 
 namespace enfilade {
@@ -18,12 +20,6 @@ constexpr int kNumIterations = 12;
 constexpr double kDamping = 0.5;
 
 using Costs = std::vector<double>;  // tile by tile, num_labels each
-
-double Median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double LogBrightness(const TileView& tile, const Eigen::Vector3d& gain) {
   return std::log(1 + tile.rgb.cast<double>().cwiseProduct(gain).sum());
@@ -42,7 +38,7 @@ void AddDisagreement(size_t tile, const ChartViews& chart_views,
     if (view.tiles[tile].seen != 0) brightness.push_back(brightness_of(view));
   }
   if (brightness.size() < 3) return;
-  const double median = Median(brightness);
+  const double median = UpperMedian(std::move(brightness));
   for (size_t l = 0; l < num_labels; ++l) {
     if (chart_views.views[l].tiles[tile].seen == 0) continue;
     const double deviation = std::abs(brightness_of(chart_views.views[l]) - median);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
+#include "enfilade/base/median.h"
 #include "src/model/tile_views.h"
 
 namespace enfilade {
@@ -43,9 +45,7 @@ void CollectRatios(const ChartViews& chart_views, PairRatios& ratios) {
 double MedianOfChannel(const std::vector<Eigen::Vector3d>& ratios, int channel) {
   std::vector<double> values;
   for (const Eigen::Vector3d& ratio : ratios) values.push_back(ratio[channel]);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return UpperMedian(std::move(values));
 }
 
 }  // namespace

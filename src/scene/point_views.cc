@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/image/image.h"
 #include "enfilade/scene/camera.h"
@@ -46,9 +48,7 @@ double DiscRadius(const std::vector<ScenePoint>& points, RunContext& context) {
     const auto idx = static_cast<size_t>(i);
     distances[idx] = NextNeighbourDistance(points, points[idx * step].position, kRank);
   });
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return std::min(1.5 * *middle, kMaxDiscRadius_m);
+  return std::min(1.5 * UpperMedian(std::move(distances)), kMaxDiscRadius_m);
 }
 
 // The sphere of distances round a camera. Its pixels are those of a panorama whose axes are the

@@ -5,8 +5,10 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "enfilade/base/check.h"
+#include "enfilade/base/median.h"
 #include "enfilade/geometry/angles.h"
 #include "enfilade/geometry/rigid3.h"
 
@@ -76,9 +78,7 @@ std::optional<double> MedianParallax(std::span<const Vector3d> first_rays,
   for (size_t i = 0; i < first_rays.size(); ++i) {
     angles.push_back(AngleBetween(*rotation * first_rays[i], second_rays[i]));
   }
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return *middle;
+  return UpperMedian(std::move(angles));
 }
 
 std::vector<int> SelectKeyframes(std::span<const TrackedFrame> frames, const Camera& camera,

@@ -9,7 +9,6 @@
 
 #include "enfilade/base/disjoint_sets.h"
 #include "enfilade/sfm/view_graph.h"
-#include "src/sfm/pair_graph.h"
 
 namespace enfilade {
 namespace {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "enfilade/base/check.h"
 #include "enfilade/base/errors.h"
@@ -87,9 +86,9 @@ DistanceBins MakeBins(const StructureOptions& options) {
   return bins;
 }
 
-double MedianCameraZ(const std::vector<ViewWork>& works, const std::vector<int>& members) {
+double MedianCameraZ(const std::vector<ViewWork>& works) {
   std::vector<double> z;
-  for (const int i : members) z.push_back(works[static_cast<size_t>(i)].position.z());
+  for (const ViewWork& work : works) z.push_back(work.position.z());
   return UpperMedian(std::move(z));
 }
 
@@ -278,14 +277,8 @@ class StoreySolver {
     });
     context_.log().Info(fmt::format(
         "floor at {:.3f} m, {:.3f} m below the median camera, baseboard {:.2f} m, contrast {:.3f}",
-        floor_.floor_z, MedianCameraZ(works_, Iota(works_.size())) - floor_.floor_z,
-        floor_.baseboard.height_m, floor_.contrast));
-  }
-
-  static std::vector<int> Iota(size_t count) {
-    std::vector<int> indices(count);
-    std::iota(indices.begin(), indices.end(), 0);
-    return indices;
+        floor_.floor_z, MedianCameraZ(works_) - floor_.floor_z, floor_.baseboard.height_m,
+        floor_.contrast));
   }
 
   void EstimateCeilingHeights() {
