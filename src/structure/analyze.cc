@@ -50,6 +50,7 @@ struct ViewWork {
   std::vector<uint8_t> is_seen;  // per column
   ColumnScores correlation;      // weighed
   ColumnScores lines;            // weighed floor and ceiling lines
+  ImageF ceiling_ends;           // what walls keep of their scores; empty without ceilings
   WallPath path;
   CeilingEstimate ceiling;
   ClassifyView label_view;
@@ -113,7 +114,10 @@ class StoreySolver {
     ScoreLines(false);
     FindPaths(false);
     if (options_.use_correlation) Correlate();
-    if (options_.use_ceiling) EstimateCeilingHeights();
+    if (options_.use_ceiling) {
+      EstimateCeilingHeights();
+      FindCeilingEnds();
+    }
     ScoreLines(options_.use_ceiling);
     FindPaths(!options_.use_shared);
     if (options_.use_shared) FindPathsTogether();
@@ -334,13 +338,25 @@ class StoreySolver {
     return scores;
   }
 
+  // Where the ceiling ends, and what then becomes of surfaces that other panoramas see too.
+  void FindCeilingEnds() {
+    ParallelFor(context_, "", static_cast<int64_t>(works_.size()), [&](int64_t i) {
+      ViewWork& work = works_[static_cast<size_t>(i)];
+      ColumnScores ceiling;
+      AddScores(CeilingScores(work), work.ceiling.weight, ceiling);
+      work.ceiling_ends = CeilingEnds(ceiling, bins_, options_.ceiling_end);
+      ScaleScores(work.ceiling_ends, work.correlation);
+    });
+  }
+
   // Floor and ceiling lines, weighed.
   void ScoreLines(bool with_ceiling) {
     ParallelFor(context_, "lines", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
       work.lines = ColumnScores();
       if (options_.use_floor) {
-        const ColumnScores floor = FloorScores(work);
+        ColumnScores floor = FloorScores(work);
+        if (with_ceiling) ScaleScores(work.ceiling_ends, floor);
         // Only the ceiling line can tell a wall behind an obstacle from the obstacle.
         const bool allow = options_.use_obstacles && with_ceiling;
         AddScores(allow ? AllowObstacles(floor, bins_, options_.obstacle) : floor,

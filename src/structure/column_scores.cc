@@ -53,10 +53,11 @@ struct BinRange {
   int first, last;
 };
 
-// Bins that lie behind a wall's foot, farther than the foot of a baseboard or the blur of its own
-// line.
+// A wall's own line reaches so far behind it: the foot of a baseboard, blur.
+constexpr double kOwnShare = 0.1, kOwn_m = 0.05;
+
+// Bins that lie behind a wall, farther than its own line reaches.
 std::vector<BinRange> BinsBehind(const DistanceBins& bins, double reach_m) {
-  constexpr double kOwnShare = 0.1, kOwn_m = 0.05;
   std::vector<BinRange> ranges;
   for (int b = 0; b < bins.count; ++b) {
     const double wall_m = bins.Distance(b);
@@ -65,6 +66,36 @@ std::vector<BinRange> BinsBehind(const DistanceBins& bins, double reach_m) {
          std::min(bins.count - 1, static_cast<int>(std::floor(bins.Bin(wall_m + reach_m))))});
   }
   return ranges;
+}
+
+// Bins of a wall's own line and of what lies up to reach_m before it.
+std::vector<BinRange> BinsUpTo(const DistanceBins& bins, double reach_m) {
+  std::vector<BinRange> ranges;
+  for (int b = 0; b < bins.count; ++b) {
+    const double wall_m = bins.Distance(b);
+    const double own_m = kOwnShare * wall_m + kOwn_m;
+    ranges.push_back({bins.NearestBin(std::max(bins.min_m, wall_m - std::max(reach_m, own_m))),
+                      bins.NearestBin(wall_m + own_m)});
+  }
+  return ranges;
+}
+
+float Strongest(const std::vector<float>& row, const BinRange& range) {
+  if (range.first > range.last) return 0;
+  return *std::max_element(row.begin() + range.first, row.begin() + range.last + 1);
+}
+
+// The strongest score of some families in one column.
+std::vector<float> StrongestOf(const ColumnScores& scores, int num_families, int column,
+                               int num_bins) {
+  std::vector<float> strongest(static_cast<size_t>(num_bins), 0);
+  for (int f = 0; f < num_families; ++f) {
+    const ImageF& score = scores.family[static_cast<size_t>(f)];
+    if (score.empty()) continue;
+    for (size_t b = 0; b < strongest.size(); ++b)
+      strongest[b] = std::max(strongest[b], score(column, static_cast<int>(b)));
+  }
+  return strongest;
 }
 
 // Of the elevation below the horizon at which each bin's floor is seen.
@@ -188,13 +219,30 @@ ColumnScores StopFloorLines(const ColumnScores& floor, double floor_m, const Dis
     const float* own = floor.family[static_cast<size_t>(f)].row(c);
     const std::vector<float> crossing = CrossingLines(floor, f, c, elevations);
     for (int b = 0; b < bins.count; ++b) {
-      float strongest = 0;
-      for (int i = behind[static_cast<size_t>(b)].first; i <= behind[static_cast<size_t>(b)].last;
-           ++i)
-        strongest = std::max(strongest, crossing[static_cast<size_t>(i)]);
+      const float strongest = Strongest(crossing, behind[static_cast<size_t>(b)]);
       to[b] = own[b] * (1 - static_cast<float>(options.weight) * strongest);
     }
   });
+}
+
+ImageF CeilingEnds(const ColumnScores& ceiling, const DistanceBins& bins,
+                   const CeilingEndOptions& options) {
+  const std::vector<BinRange> behind = BinsBehind(bins, options.reach_m);
+  const std::vector<BinRange> up_to = BinsUpTo(bins, options.before_m);
+  ImageF share;
+  for (const ImageF& score : ceiling.family) {
+    if (share.empty() && !score.empty()) share = ImageF(score.rows(), score.cols());
+  }
+  for (int c = 0; c < share.rows(); ++c) {
+    const std::vector<float> along_axes = StrongestOf(ceiling, 2, c, bins.count);
+    const std::vector<float> any = StrongestOf(ceiling, kNumFamilies, c, bins.count);
+    for (int b = 0; b < bins.count; ++b) {
+      const float seen_on = Strongest(along_axes, behind[static_cast<size_t>(b)]) -
+                            Strongest(any, up_to[static_cast<size_t>(b)]);
+      share(c, b) = 1 - static_cast<float>(options.weight) * std::max(0.0F, seen_on);
+    }
+  }
+  return share;
 }
 
 ColumnScores AllowObstacles(const ColumnScores& floor, const DistanceBins& bins,
@@ -218,6 +266,16 @@ ColumnScores AllowObstacles(const ColumnScores& floor, const DistanceBins& bins,
     }
   }
   return allowed;
+}
+
+void ScaleScores(const ImageF& share, ColumnScores& scores) {
+  for (ImageF& score : scores.family) {
+    if (score.empty()) continue;
+    ENFILADE_CHECK(score.rows() == share.rows() && score.cols() == share.cols());
+    for (size_t i = 0; i < score.data().size(); ++i) {
+      if (score.data()[i] > 0) score.data()[i] *= share.data()[i];
+    }
+  }
 }
 
 void AddScores(const ColumnScores& source, double weight, ColumnScores& target) {

@@ -186,6 +186,65 @@ TEST_F(FloorLines, AreNotStoppedByWhatMayBeAnUprightLineOfTheWall) {
   EXPECT_FLOAT_EQ(Stopped(0, kSquare, 2.0), 0.9F);
 }
 
+// One column of ceiling lines.
+class CeilingLines : public ::testing::Test {
+ protected:
+  CeilingLines() {
+    for (const size_t f : {0, 1, 2}) ceiling_.family[f] = ImageF(1, bins_.count);
+  }
+
+  void Draw(int family, double distance_m, float response) {
+    ceiling_.family[static_cast<size_t>(family)](0, bins_.NearestBin(distance_m)) = response;
+  }
+  [[nodiscard]] float Kept(double distance_m) const {
+    return CeilingEnds(ceiling_, bins_, {0.8, 2.5, 0.7})(0, bins_.NearestBin(distance_m));
+  }
+
+  DistanceBins bins_;
+  ColumnScores ceiling_;
+};
+
+TEST_F(CeilingLines, EndTheCeilingAtTheirWall) {
+  Draw(0, 2.0, 0.9F);
+  EXPECT_FLOAT_EQ(Kept(2.0), 1);
+  EXPECT_FLOAT_EQ(Kept(2.1), 1);  // still its own line
+  EXPECT_FLOAT_EQ(Kept(2.5), 1);  // hidden: nothing is known of it
+  EXPECT_FLOAT_EQ(Kept(4.0), 1);
+}
+
+TEST_F(CeilingLines, TakeFromWhatStandsBelowTheCeiling) {
+  Draw(1, 2.0, 0.9F);
+  EXPECT_FLOAT_EQ(Kept(1.2), 1 - 0.8F * 0.9F);
+  Draw(0, 1.2, 0.3F);
+  EXPECT_FLOAT_EQ(Kept(1.2), 1 - 0.8F * 0.6F);
+  Draw(2, 1.2, 0.5F);  // an oblique wall ends the ceiling as well
+  EXPECT_FLOAT_EQ(Kept(1.2), 1 - 0.8F * 0.4F);
+}
+
+TEST_F(CeilingLines, LeaveAWallBehindABulkheadAlone) {
+  Draw(0, 2.0, 0.8F);  // the bulkhead's front, under the ceiling
+  Draw(0, 3.2, 0.8F);  // its lower edge on the wall at 2.4 m, taken for a ceiling's line
+  EXPECT_FLOAT_EQ(Kept(2.4), 1);
+}
+
+TEST_F(CeilingLines, TellNothingFromAfar) {
+  Draw(0, 4.0, 0.9F);
+  EXPECT_FLOAT_EQ(Kept(1.2), 1);
+  Draw(2, 3.0, 0.9F);  // what runs across the axes is no wall's
+  EXPECT_FLOAT_EQ(Kept(1.2), 1);
+}
+
+TEST(ScaleScores, TakesFromWhatSpeaksForAWallOnly) {
+  ColumnScores scores;
+  scores.family[1] = ImageF(1, 2);
+  scores.family[1](0, 0) = 0.5F;
+  scores.family[1](0, 1) = -0.5F;
+  ScaleScores(ImageF(1, 2, 1, 0.25F), scores);
+  EXPECT_FLOAT_EQ(scores.family[1](0, 0), 0.125F);
+  EXPECT_FLOAT_EQ(scores.family[1](0, 1), -0.5F);
+  EXPECT_TRUE(scores.family[0].empty());
+}
+
 TEST(AllowObstacles, AWallMayStandBehindTheLineAtACost) {
   const DistanceBins bins;
   const ObstacleOptions options;

@@ -50,6 +50,7 @@ struct StructureOptions {
   HeadingOptions heading;
   LineResponseOptions line;
   FloorEndOptions floor_end;
+  CeilingEndOptions ceiling_end;
   ObstacleOptions obstacle;
   StripCorrelationOptions correlation;
   SharedScoresOptions shared;
@@ -86,6 +87,7 @@ struct StructureOptions {
     v("heading", heading, "Heading of the walls.");
     v("line", line, "Response to floor and ceiling lines.");
     v("floor_end", floor_end, "Lines on the floor at which it does not end.");
+    v("ceiling_end", ceiling_end, "Lines on the ceiling beyond what looks like a wall.");
     v("obstacle", obstacle, "Things that stand before a wall.");
     v("correlation", correlation, "Correlation of wall strips.");
     v("shared", shared, "Lines that other panoramas see.");

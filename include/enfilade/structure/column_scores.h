@@ -86,6 +86,31 @@ struct FloorEndOptions {
 [[nodiscard]] ColumnScores StopFloorLines(const ColumnScores& floor, double floor_m,
                                           const DistanceBins& bins, const FloorEndOptions& options);
 
+struct CeilingEndOptions {
+  double weight = 0.8;
+  double reach_m = 2.5;
+  double before_m = 0.7;
+
+  void Visit(OptionVisitor& v) {
+    v("weight", weight, "Share of its score that a wall loses when the ceiling goes on behind it.",
+      {0.0, 1.0});
+    v("reach_m", reach_m, "How far behind a wall it is looked whether the ceiling goes on, metres.",
+      {0.0, 10.0});
+    v("before_m", before_m,
+      "What hides the wall's end of the ceiling hangs no farther before it, metres.", {0.0, 10.0});
+  }
+};
+
+/// What a wall at each distance keeps of its score (columns × bins, 0–1) where the ceiling shows to
+/// go on behind it, as above a bed or a sofa: a wall ends the ceiling. Lost is up to `weight` of
+/// what the strongest ceiling line (of families 0 and 1) within `reach_m` behind the wall exceeds
+/// the strongest (of any family) at it and up to `before_m` before it. Where the ceiling's line
+/// lies before the wall, as that of a bulkhead, the lines behind it are not on the ceiling and
+/// nothing is lost. `ceiling` are the responses of ceiling lines. Cost O(columns × bins × bins
+/// within reach_m).
+[[nodiscard]] ImageF CeilingEnds(const ColumnScores& ceiling, const DistanceBins& bins,
+                                 const CeilingEndOptions& options);
+
 struct ObstacleOptions {
   double min_gap_m = 0.25;
   double max_gap_m = 0.9;
@@ -104,6 +129,9 @@ struct ObstacleOptions {
 /// of an obstacle in front of it within the allowed gap.
 [[nodiscard]] ColumnScores AllowObstacles(const ColumnScores& floor, const DistanceBins& bins,
                                           const ObstacleOptions& options);
+
+/// What speaks for a wall, times `share` (columns × bins); what speaks against it stays.
+void ScaleScores(const ImageF& share, ColumnScores& scores);
 
 /// target += weight · source. Families that `source` lacks are left; ones that `target` lacks begin
 /// at zero.
