@@ -87,7 +87,7 @@ struct FloorEndOptions {
                                           const DistanceBins& bins, const FloorEndOptions& options);
 
 struct CeilingEndOptions {
-  double weight = 0.8;
+  double weight = 1;
   double reach_m = 2.5;
   double before_m = 0.7;
 
@@ -102,7 +102,7 @@ struct CeilingEndOptions {
 };
 
 /// What a wall at each distance keeps of its score (columns × bins, 0–1) where the ceiling shows to
-/// go on behind it, as above a bed or a sofa: a wall ends the ceiling. Lost is up to `weight` of
+/// go on behind it, as above a bed or a sofa: a wall ends the ceiling. Lost is `weight` times
 /// what the strongest ceiling line (of families 0 and 1) within `reach_m` behind the wall exceeds
 /// the strongest (of any family) at it and up to `before_m` before it. Where the ceiling's line
 /// lies before the wall, as that of a bulkhead, the lines behind it are not on the ceiling and
