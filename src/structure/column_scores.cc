@@ -14,6 +14,8 @@ namespace {
 
 // How far a cornice stands out for its height: mouldings are set at 38° (0.78) or 45° (1).
 constexpr double kCorniceDepth = 0.8;
+// Families 0 and 1, walls along the home's axes.
+constexpr int kNumAxisFamilies = 2;
 // What stands before a wall is no nearer than this.
 constexpr double kNearest_m = 0.05;
 
@@ -234,7 +236,7 @@ ImageF CeilingEnds(const ColumnScores& ceiling, const DistanceBins& bins,
     if (share.empty() && !score.empty()) share = ImageF(score.rows(), score.cols());
   }
   for (int c = 0; c < share.rows(); ++c) {
-    const std::vector<float> along_axes = StrongestOf(ceiling, 2, c, bins.count);
+    const std::vector<float> along_axes = StrongestOf(ceiling, kNumAxisFamilies, c, bins.count);
     const std::vector<float> any = StrongestOf(ceiling, kNumFamilies, c, bins.count);
     for (int b = 0; b < bins.count; ++b) {
       const float seen_on = Strongest(along_axes, behind[static_cast<size_t>(b)]) -
