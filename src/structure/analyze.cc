@@ -50,7 +50,6 @@ struct ViewWork {
   std::vector<uint8_t> is_seen;  // per column
   ColumnScores correlation;      // weighed
   ColumnScores lines;            // weighed floor and ceiling lines
-  ImageF ceiling_ends;           // what walls keep of their scores; empty without ceilings
   WallPath path;
   CeilingEstimate ceiling;
   ClassifyView label_view;
@@ -114,10 +113,7 @@ class StoreySolver {
     ScoreLines(false);
     FindPaths(false);
     if (options_.use_correlation) Correlate();
-    if (options_.use_ceiling) {
-      EstimateCeilingHeights();
-      FindCeilingEnds();
-    }
+    if (options_.use_ceiling) EstimateCeilingHeights();
     ScoreLines(options_.use_ceiling);
     FindPaths(!options_.use_shared);
     if (options_.use_shared) FindPathsTogether();
@@ -338,33 +334,24 @@ class StoreySolver {
     return scores;
   }
 
-  // Where the ceiling ends, and what then becomes of surfaces that other panoramas see too.
-  void FindCeilingEnds() {
-    ParallelFor(context_, "", static_cast<int64_t>(works_.size()), [&](int64_t i) {
-      ViewWork& work = works_[static_cast<size_t>(i)];
-      ColumnScores ceiling;
-      AddScores(CeilingScores(work), work.ceiling.weight, ceiling);
-      work.ceiling_ends = CeilingEnds(ceiling, bins_, options_.ceiling_end);
-      ScaleScores(work.ceiling_ends, work.correlation);
-    });
-  }
-
-  // Floor and ceiling lines, weighed.
+  // Floor and ceiling lines, weighed. Where the ceiling ends also says what floor lines and
+  // correlation are worth.
   void ScoreLines(bool with_ceiling) {
     ParallelFor(context_, "lines", static_cast<int64_t>(works_.size()), [&](int64_t i) {
       ViewWork& work = works_[static_cast<size_t>(i)];
-      work.lines = ColumnScores();
-      if (options_.use_floor) {
-        ColumnScores floor = FloorScores(work);
-        if (with_ceiling) ScaleScores(work.ceiling_ends, floor);
-        // Only the ceiling line can tell a wall behind an obstacle from the obstacle.
-        const bool allow = options_.use_obstacles && with_ceiling;
-        AddScores(allow ? AllowObstacles(floor, bins_, options_.obstacle) : floor,
-                  options_.floor_weight, work.lines);
-      }
+      ColumnScores floor, ceiling;
+      if (options_.use_floor) floor = FloorScores(work);
       if (with_ceiling) {
-        AddScores(CeilingScores(work), options_.ceiling_weight * work.ceiling.weight, work.lines);
+        AddScores(CeilingScores(work), work.ceiling.weight, ceiling);
+        const ImageF kept = CeilingEnds(ceiling, bins_, options_.ceiling_end);
+        ScaleScores(kept, floor);
+        ScaleScores(kept, work.correlation);
+        // Only the ceiling line can tell a wall behind an obstacle from the obstacle.
+        if (options_.use_obstacles) floor = AllowObstacles(floor, bins_, options_.obstacle);
       }
+      work.lines = ColumnScores();
+      AddScores(floor, options_.floor_weight, work.lines);
+      AddScores(ceiling, options_.ceiling_weight, work.lines);
     });
   }
 
