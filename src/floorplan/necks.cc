@@ -21,6 +21,7 @@ constexpr double kMinTurn = 0.2;    // sine of the angle by which a wall's corne
 constexpr double kStraight = 0.99;  // cosine
 constexpr double kSquare = 0.15;    // cosine
 constexpr double kMinBeside_m = 0.1;  // of the wall beside a neck
+constexpr double kMinFace_m = 0.3;    // of a wall that ends in the room
 constexpr double kTouch_m = 1e-6, kClear_m = 1e-3;
 constexpr double kCollinear_m = 1e-6;
 
@@ -95,8 +96,8 @@ class NeckFinder {
       for (size_t j = i + 2; j < n; ++j) {
         if (juts_[j] && (i > 0 || j + 1 < n)) AddNeck(room_, i, j, necks);
       }
-      if (EndsAWall(i, i + 1)) AddProlonged(i, i + n - 1, necks);
-      if (EndsAWall(i, i + n - 1)) AddProlonged(i, i + 1, necks);
+      if (EndsAWall(i + n - 1, i, i + 1, i + 2)) AddProlonged(i, i + n - 1, necks);
+      if (EndsAWall(i + 1, i, i + n - 1, i + n - 2)) AddProlonged(i, i + 1, necks);
     }
     return necks;
   }
@@ -104,9 +105,11 @@ class NeckFinder {
  private:
   [[nodiscard]] const Vector2d& At(size_t i) const { return room_.outer[i % room_.outer.size()]; }
 
-  // Whether the corners i and k beside each other are those of a wall that ends in the room.
-  [[nodiscard]] bool EndsAWall(size_t i, size_t k) const {
-    return juts_[k % juts_.size()] && (At(i) - At(k)).norm() <= kThickestWall_m;
+  // Whether the corners i and k beside each other are those of a wall that ends in the room, its
+  // faces running from corner `before` to i and from k to `after`: a jog beside a corner is none.
+  [[nodiscard]] bool EndsAWall(size_t before, size_t i, size_t k, size_t after) const {
+    return juts_[k % juts_.size()] && (At(i) - At(k)).norm() <= kThickestWall_m &&
+           std::min((At(i) - At(before)).norm(), (At(after) - At(k)).norm()) >= kMinFace_m;
   }
 
   // Prolongs the wall face from corner `before` to corner i until it meets a wall.

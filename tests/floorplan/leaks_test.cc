@@ -197,6 +197,16 @@ TEST(FindNecks, AnArmOrALineAcrossARoomIsNone) {
                   .empty());
 }
 
+TEST(FindNecks, AJogBesideTheCornerOfAnArmIsNoWallThatEndsThere) {
+  const Vector2d camera(1, 1);
+  const auto room_with_wall_end = [](double face_m) {
+    return Polygon2{
+        {{0, 0}, {5, 0}, {5, 5}, {3 - face_m, 5}, {3 - face_m, 2.2}, {3, 2.2}, {3, 2}, {0, 2}}, {}};
+  };
+  EXPECT_TRUE(NecksOf(room_with_wall_end(0.2), {camera}).empty());
+  EXPECT_FALSE(NecksOf(room_with_wall_end(0.4), {camera}).empty());
+}
+
 TEST(FindNecks, CamerasOnBothSidesOrNoneMeanThatItWasPassed) {
   const Polygon2 room = Union({kRoom, Box(5.1, 0, 8, 4), Box(4.9, 1.6, 5.2, 2.4)})[0];
   EXPECT_TRUE(NecksOf(room, {kCamera, {7, 2}}).empty());
