@@ -196,7 +196,7 @@ class RingRedrawer {
         static_cast<size_t>(std::clamp(chord.Length() / kLengthPerStride_m, 1.0, 4.0));
     if ((i % stride != 0 && !Point(i).is_corner) || (j % stride != 0 && !Point(j).is_corner))
       return;
-    if (!IsPlausible(chord.Along(), corners.size())) return;
+    if (!IsPlausible(chord.Along(), corners.size()) || TurnsBack(chord, corners)) return;
     const double old_cost = cost_[j] - cost_[i];
     const double saved_turns =
         static_cast<double>(corners.size()) + Point(i).is_corner + Point(j).is_corner - 2;
@@ -217,6 +217,17 @@ class RingRedrawer {
         (IsDiagonal(wall.Along()) && SeenShare(field_, wall.a, wall.b) < kMinSharpShare))
       return;
     chords_.push_back({i, j % points_.size(), cost + HeadingCost(wall.Along()), wall});
+  }
+
+  // A staircase never does: what turns back is the end of a wall that juts into the room.
+  [[nodiscard]] static bool TurnsBack(const Line& chord, const std::vector<Vector2d>& corners) {
+    const Vector2d along = chord.Direction();
+    const Vector2d* before = &chord.a;
+    for (const Vector2d& corner : corners) {
+      if (along.dot(corner - *before) < 0) return true;
+      before = &corner;
+    }
+    return along.dot(chord.b - *before) < 0;
   }
 
   // Whether a wall may run so instead of a stretch of the ring with that many corners.

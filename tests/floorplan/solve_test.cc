@@ -123,6 +123,11 @@ TEST(SolveFloorplan, ABlurredThinWallIsFollowedThoughItsFacesMelt) {
   ExpectPlan(report, truth, 0.03);
 }
 
+TEST(SolveFloorplan, AStubOfAWallBesideAWideOpeningIsFollowedToo) {
+  const MultiPolygon2 truth = {{ParseRing("0,0 5,0 5,3 2.6,3 2.6,2.72 2.5,2.72 2.5,3 0,3"), {}}};
+  ExpectPlan(SolveDrawn(DrawEvidence(truth)), truth, 0.005);
+}
+
 TEST(SolveFloorplan, APillarIsAHole) {
   MultiPolygon2 truth = {Box(0, 0, 5, 4)};
   truth[0].holes.push_back(ParseRing("2,1.5 2,2 2.5,2 2.5,1.5"));

@@ -39,16 +39,16 @@ struct FloorplanOptions {
 
   double wall_share = 0.5;
   double solid_log_odds = 0.5;
-  double min_solid_area_m2 = 0.03;
-  double min_solid_length_m = 0.3;
+  double min_solid_area_m2 = 0.01;
+  double min_solid_length_m = 0.15;
   double max_bridge_m = 0.15;
   double max_island_cost = 0.5;
 
-  double min_oblique_m = 0.4;
+  double min_oblique_m = 0.5;
   double heading_cost_m = 0.25;
 
   double slide_m = 0.15;
-  double min_jog_m = 0.05;
+  double min_jog_m = 0.08;
   double min_room_m2 = 0.25;
   double wall_thickness_m = 0.12;
 
