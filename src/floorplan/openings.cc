@@ -7,8 +7,10 @@
 #include <iterator>
 #include <optional>
 
+#include "enfilade/floorplan/solve.h"
 #include "src/floorplan/facade_store.h"
 #include "src/floorplan/pictured_wall.h"
+#include "src/floorplan/shut_closets.h"
 
 namespace enfilade {
 namespace {
@@ -17,6 +19,9 @@ using Eigen::Vector2d;
 
 constexpr double kBesideDoor_m = 0.12;
 constexpr double kMinJoined_m2 = 4;  // of rooms that an opening joins
+// Log-odds of a door in a wall that rooms go on beside: what could be there is a closet or a niche
+// of the outer wall, so doors are more frequent than among all frames.
+constexpr double kBeforeCloset = 1.5;
 
 const Room& RoomOf(const Storey& storey, int room_id) {
   return *std::find_if(storey.rooms.begin(), storey.rooms.end(),
@@ -99,14 +104,16 @@ void OpeningOptions::Visit(OptionVisitor& v) {
   v("max_wall_m", max_wall_m, "Thickest wall that a door leads through.", {0.01, 2});
 }
 
-OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
-                           Floorplan& plan, FacadeStore* facades) {
+OpeningReport FindOpenings(const Scene& scene, const FloorplanOptions& floorplan_options,
+                           RunContext& context, Floorplan& plan, FacadeStore* facades) {
+  const OpeningOptions& options = floorplan_options.openings;
   OpeningReport report;
   std::vector<PicturedWall> walls;
   std::vector<size_t> wall_idx;  // in its storey, of every pictured wall
   std::vector<int> room_of_wall;
   for (size_t s = 0; s < plan.storeys.size(); ++s) {
     const Storey& storey = plan.storeys[s];
+    const ClosetFinder closets(floorplan_options, storey);
     for (size_t w = 0; w < storey.walls.size(); ++w) {
       const Wall& wall = storey.walls[w];
       if ((wall.b - wall.a).norm() < kMinPicturedWall_m) continue;
@@ -115,6 +122,7 @@ OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, Ru
       room_of_wall.push_back(room.id);
       walls.emplace_back(wall.a, wall.b, static_cast<int>(s), room.polygon, room.floor_z,
                          room.ceiling_z, options.step_m);
+      if (!closets.Behind(wall).outer.empty()) walls.back().door_log_odds = kBeforeCloset;
     }
   }
   FacadeStore none(context);
@@ -164,6 +172,8 @@ OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, Ru
     });
     report.num_windows += add(windows, OpeningKind::kWindow);
   }
+  for (Storey& storey : plan.storeys)
+    report.num_closets += AddShutClosets(floorplan_options, storey);
   return report;
 }
 

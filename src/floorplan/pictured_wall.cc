@@ -164,7 +164,8 @@ std::vector<DoorCandidate> FindDoors(const std::vector<PicturedWall>& walls, int
     if (wall.storey_idx != storey_idx) continue;
     for (const DoorFrame& frame : wall.frames) {
       DoorCandidate door = CandidateOf(wall, i, frame, 0);
-      door.log_odds = DoorLogOdds(frame, home_head_m, DistanceToCamera(cameras, door.Middle()));
+      door.log_odds = wall.door_log_odds +
+                      DoorLogOdds(frame, home_head_m, DistanceToCamera(cameras, door.Middle()));
       doors.push_back(door);
     }
   }

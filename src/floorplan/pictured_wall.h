@@ -31,6 +31,7 @@ struct PicturedWall {
   int storey_idx = 0;
   const Polygon2* room = nullptr;  ///< not owned
   double floor_z = 0, ceiling_z = 0;
+  double door_log_odds = 0;  ///< what speaks for a door but the pictures
   Facade facade;
   std::vector<DoorFrame> frames;
 };

@@ -21,12 +21,12 @@ void FinishFullPlan(const Scene& scene, const Structure& structure,
                     const std::vector<EvidenceGrids>& evidence, const FloorplanOptions& options,
                     RunContext& context, FloorplanReport& report) {
   Floorplan& plan = report.plan;
-  const OpeningReport openings =
-      FindOpenings(scene, options.openings, context, plan, report.facades.get());
+  const OpeningReport openings = FindOpenings(scene, options, context, plan, report.facades.get());
   report.facades.reset();
-  context.log().Info(fmt::format("{} doors, heads at {:.2f} m; {} wide openings, {} windows",
-                                 openings.num_doors, openings.door_head_m, openings.num_openings,
-                                 openings.num_windows));
+  context.log().Info(fmt::format(
+      "{} doors, heads at {:.2f} m; {} wide openings, {} windows, {} closets behind shut doors",
+      openings.num_doors, openings.door_head_m, openings.num_openings, openings.num_windows,
+      openings.num_closets));
   AssignSigmas(scene, structure, evidence, options, plan);
   FindRoomCurves(evidence, options, context, plan);
 }

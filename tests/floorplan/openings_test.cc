@@ -130,6 +130,22 @@ TEST_F(OpeningsTest, WindowsPicturesAndCupboardsAreNoDoors) {
   EXPECT_NEAR(window.head_z, 2.1, 0.04);
 }
 
+TEST_F(OpeningsTest, AShutDoorInACornerThatItsRoomGoesRoundLeadsIntoACloset) {
+  std::vector<PaintedQuad> quads = PaintBox(0, 0, 4, 3);
+  quads.push_back({1, 2, 0, 1.5});  // closes the corner
+  quads.push_back({0, 1.5, 2, 3});
+  quads.push_back({1, 2, 0.3, 1.2, 0, kHead_m, 90});
+  const Floorplan plan = Find({{ParseRing("0,0 4,0 4,3 1.5,3 1.5,2 0,2"), {}}}, quads,
+                              {{1.5, 1, 1.5}, {2.5, 1.4, 1.5}});
+  const Storey& storey = plan.storeys[0];
+  ASSERT_EQ(storey.openings.size(), 1u);
+  ExpectDoor(storey.openings[0], {1.2, 2}, {0.3, 2}, kHead_m);
+  EXPECT_EQ(storey.openings[0].other_room_id, 1);
+  EXPECT_EQ(report_.num_closets, 1);
+  ASSERT_EQ(storey.rooms.size(), 2u);
+  EXPECT_NEAR(Area(storey.rooms[1].polygon), 1.38 * 0.88, 0.01);
+}
+
 // Two rooms with a wall of 12 cm and a way through it, its casing dark.
 std::vector<PaintedQuad> TwoRooms(double from = 1, double to = 1.9) {
   std::vector<PaintedQuad> quads = PaintBox(0, 0, 8, 3);

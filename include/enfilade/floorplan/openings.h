@@ -20,6 +20,8 @@ struct OpeningOptions {
   void Visit(OptionVisitor& v);
 };
 
+struct FloorplanOptions;
+
 /// What pictures show of walls.
 class FacadeStore;
 
@@ -27,6 +29,7 @@ struct OpeningReport {
   int num_doors = 0;
   int num_openings = 0;  ///< wide ones without a door
   int num_windows = 0;
+  int num_closets = 0;     ///< that nobody saw, behind doors that lead into no room
   double door_head_m = 0;  ///< of the home's doors, above the floor; 0 when none was seen
 };
 
@@ -40,11 +43,15 @@ struct OpeningReport {
 /// either side. A window is a bright rectangle in a wall without a room behind. What is seen from
 /// both sides of a wall is one.
 ///
+/// A door leads somewhere: where one leads into no room and rooms go on past its wall beside it,
+/// the space between them is added as a closet whose walls are inferred. Rooms and walls keep their
+/// ids, those of closets follow.
+///
 /// The pictures' files are read (view.path), a few at a time, but not for walls whose facades
 /// SolveFloorplan left in `facades` (FloorplanReport::facades); they are taken out of it.
 /// Guarantees: openings lie on their wall, do not overlap on it, and have ids 0, 1, … in each
 /// storey. Throws what reading pictures throws. Cost: O(area of the walls × views in their rooms).
-OpeningReport FindOpenings(const Scene& scene, const OpeningOptions& options, RunContext& context,
+OpeningReport FindOpenings(const Scene& scene, const FloorplanOptions& options, RunContext& context,
                            Floorplan& plan, FacadeStore* facades = nullptr);
 
 }  // namespace enfilade
