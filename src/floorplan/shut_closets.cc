@@ -3,6 +3,7 @@
 #include "src/floorplan/shut_closets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -18,7 +19,9 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kCollinear_m = 1e-6;
-constexpr double kBeside_m = 0.1;  // how far inside a room beside the closet is looked
+constexpr double kInLine_m = 0.1;
+constexpr double kParallel = 0.98;  // cosine
+constexpr double kBeside_m = 0.1;   // how far inside a room beside the closet is looked
 
 std::vector<Box2> BoxesOf(const Storey& storey) {
   std::vector<Box2> boxes;
@@ -49,7 +52,10 @@ void AddCloset(const Polygon2& polygon, double floor_z, double ceiling_z, double
 }  // namespace
 
 ClosetFinder::ClosetFinder(const FloorplanOptions& options, const Storey& storey)
-    : options_(options), storey_(storey), rooms_(BoxesOf(storey)) {}
+    : options_(options),
+      storey_(storey),
+      rooms_(BoxesOf(storey)),
+      walls_(IndexWalls(storey.walls)) {}
 
 // How far rooms go on past a wall, beside its end: `aside` is the direction from the wall to there.
 double ClosetFinder::DepthBeside(const Vector2d& end, const Vector2d& aside,
@@ -62,12 +68,29 @@ double ClosetFinder::DepthBeside(const Vector2d& end, const Vector2d& aside,
   return std::numeric_limits<double>::infinity();
 }
 
+// How much of other walls lies on the line through a point along a wall, rooms on the same side.
+double ClosetFinder::LengthInLine(const Vector2d& on_line, const Wall& wall) const {
+  const Vector2d along = (wall.b - wall.a).normalized(), normal(-along.y(), along.x());
+  const Vector2d reach = walls_.bounds().diagonal().norm() * along;
+  double sum_m = 0;
+  for (const size_t i :
+       walls_.Touching(Grown(BoxOf(on_line - reach, on_line + reach), kInLine_m))) {
+    const Wall& other = storey_.walls[i];
+    if (&other == &wall || along.dot((other.b - other.a).normalized()) < kParallel) continue;
+    if (std::abs(normal.dot(0.5 * (other.a + other.b) - on_line)) <= kInLine_m)
+      sum_m += (other.b - other.a).norm();
+  }
+  return sum_m;
+}
+
 Polygon2 ClosetFinder::Behind(const Wall& wall) const {
   const Vector2d along = (wall.b - wall.a).normalized(), outward(along.y(), -along.x());
   const double depth_m =
       std::min(DepthBeside(wall.a, -along, outward), DepthBeside(wall.b, along, outward));
   if (depth_m > options_.unseen_gap_m) return {};
   const Vector2d out = depth_m * outward;
+  // Else it is the room beside it that ends too far out.
+  if (LengthInLine(wall.a, wall) > LengthInLine(wall.a + out, wall)) return {};
   const Polygon2 space{{wall.b, wall.a, wall.a + out, wall.b + out}, {}};
   MultiPolygon2 near;
   for (const size_t i : rooms_.Touching(Grown(BoxOf(space.outer), options_.wall_thickness_m)))

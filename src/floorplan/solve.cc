@@ -10,8 +10,11 @@
 
 #include "enfilade/base/check.h"
 #include "enfilade/floorplan/cells.h"
+#include "enfilade/floorplan/wall_sigma.h"
+#include "enfilade/floorplan/wall_witness.h"
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/box_index.h"
+#include "src/floorplan/doubtful_walls.h"
 #include "src/floorplan/facade_store.h"
 #include "src/floorplan/join_rooms.h"
 #include "src/floorplan/leaks.h"
@@ -31,6 +34,7 @@ namespace enfilade {
 namespace {
 
 constexpr double kCollinear_m = 1e-6;
+constexpr int kMaxMoves = 3;
 
 ImageI TerritoriesOf(const LoopField& field, const ImageI& core_of_cell) {
   ImageF solid(field.frame.rows, field.frame.cols);
@@ -77,9 +81,13 @@ void RemoveOverlaps(std::vector<Polygon2>& polygons) {
 
 class Solver {
  public:
-  Solver(const Scene& scene, const FloorplanOptions& options, RunContext& context,
-         FloorplanReport& report)
-      : scene_(scene), options_(options), context_(context), report_(report) {}
+  Solver(const Scene& scene, const Structure& structure, const FloorplanOptions& options,
+         RunContext& context, FloorplanReport& report)
+      : scene_(scene),
+        structure_(structure),
+        options_(options),
+        context_(context),
+        report_(report) {}
 
   void AddStorey(const EvidenceGrids& evidence, const StoreyStructure& heights,
                  const std::vector<HeightSample>& samples) {
@@ -110,10 +118,12 @@ class Solver {
     const bool is_cut = parts.size() != polygons.size();
     const int num_joined = JoinAcross(gaps, parts);
     report_.num_joined += num_joined;
-    if (!is_cut && num_joined == 0) return;
-    storey.rooms.clear();
-    storey.walls.clear();
-    AddRooms(field, parts, heights, samples, storey);
+    if (is_cut || num_joined > 0) {
+      storey.rooms.clear();
+      storey.walls.clear();
+      AddRooms(field, parts, heights, samples, storey);
+    }
+    MoveWalls(evidence, field, heights, samples, storey);
   }
 
  private:
@@ -123,6 +133,24 @@ class Solver {
     for (const Polygon2& polygon : polygons)
       AddRoom(field, polygon, heights, samples, options_, storey);
     MeasureThickness(options_.openings.max_wall_m, storey);
+  }
+
+  // A wall that has moved may make others surer.
+  void MoveWalls(const EvidenceGrids& evidence, const LoopField& field,
+                 const StoreyStructure& heights, const std::vector<HeightSample>& samples,
+                 Storey& storey) {
+    for (int round = 0; round < kMaxMoves; ++round) {
+      std::vector<Polygon2> polygons;
+      for (const Room& room : storey.rooms) polygons.push_back(room.polygon);
+      const std::vector<WallSigma> sigmas = FindWallSigmas(
+          evidence, storey, FindWallWitnesses(scene_, structure_, storey, storey.id), options_);
+      const int num_moved = MoveDoubtfulWalls(field, options_, storey, sigmas, polygons);
+      if (num_moved == 0) return;
+      report_.num_moved += num_moved;
+      storey.rooms.clear();
+      storey.walls.clear();
+      AddRooms(field, polygons, heights, samples, storey);
+    }
   }
 
   // Appends the rooms that nobody entered.
@@ -183,6 +211,7 @@ class Solver {
   }
 
   const Scene& scene_;
+  const Structure& structure_;
   const FloorplanOptions& options_;
   RunContext& context_;
   FloorplanReport& report_;
@@ -251,7 +280,7 @@ FloorplanReport SolveFloorplan(const Scene& scene, const Structure& structure,
   report.plan.home_from_world = structure.home_from_world;
   report.plan.cameras = PlanCameras(scene);
   report.facades = std::make_shared<FacadeStore>(context);
-  Solver solver(scene, options, context, report);
+  Solver solver(scene, structure, options, context, report);
   for (size_t i = 0; i < evidence.size(); ++i) {
     solver.AddStorey(evidence[i], structure.storeys[i],
                      HeightSamples(scene, structure, static_cast<int>(i)));

@@ -11,6 +11,7 @@
 #include "src/floorplan/split_rooms.h"
 #include "tests/floorplan/drawn_evidence.h"
 #include "tests/floorplan/painted_home.h"
+#include "tests/floorplan/storey_of_rooms.h"
 #include "tests/support/floorplan_checks.h"
 #include "tests/support/temp_folder.h"
 
@@ -21,30 +22,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kHead_m = 2.02;
-
-// Rooms with their outlines as walls.
-Storey StoreyOf(const std::vector<Polygon2>& rooms) {
-  Storey storey;
-  for (const Polygon2& polygon : rooms) {
-    Room room;
-    room.id = static_cast<int>(storey.rooms.size());
-    room.polygon = polygon;
-    room.ceiling_z = 2.4;
-    storey.rooms.push_back(room);
-    const Ring2& ring = polygon.outer;
-    for (size_t i = 0; i < ring.size(); ++i) {
-      Wall wall;
-      wall.id = static_cast<int>(storey.walls.size());
-      wall.a = ring[i];
-      wall.b = ring[(i + 1) % ring.size()];
-      wall.room_id = room.id;
-      wall.thickness_m = 0.12;
-      wall.sigma_m = 0.02;
-      storey.walls.push_back(wall);
-    }
-  }
-  return storey;
-}
 
 // A wall with what is painted on it: a panel from `from` to `to` along the wall.
 PaintedQuad Panel(PaintedQuad wall, double from, double to, double low_z, double high_z,

@@ -9,6 +9,7 @@
 
 #include "enfilade/geometry/boolean.h"
 #include "tests/floorplan/drawn_evidence.h"
+#include "tests/floorplan/storey_of_rooms.h"
 #include "tests/support/floorplan_checks.h"
 
 namespace enfilade {
@@ -20,24 +21,8 @@ constexpr double kWall_m = 0.12;
 
 // Rooms with a door in the middle of the wall of room 0 that runs through `on_wall`.
 Storey StoreyWithDoor(const std::vector<Polygon2>& rooms, const Vector2d& on_wall) {
-  Storey storey;
-  for (const Polygon2& polygon : rooms) {
-    Room room;
-    room.id = static_cast<int>(storey.rooms.size());
-    room.polygon = polygon;
-    room.floor_z = 0.1;
-    room.ceiling_z = 2.5;
-    storey.rooms.push_back(room);
-    for (size_t i = 0; i < polygon.outer.size(); ++i) {
-      Wall wall;
-      wall.id = static_cast<int>(storey.walls.size());
-      wall.a = polygon.outer[i];
-      wall.b = polygon.outer[(i + 1) % polygon.outer.size()];
-      wall.room_id = room.id;
-      wall.thickness_m = kWall_m;
-      storey.walls.push_back(wall);
-    }
-  }
+  Storey storey = StoreyOf(rooms);
+  for (Room& room : storey.rooms) room.floor_z = 0.1;
   for (const Wall& wall : storey.walls) {
     if (wall.room_id != 0 || DistanceToSegment(on_wall, wall.a, wall.b) > 0.01) continue;
     const Vector2d half = 0.4 * (wall.b - wall.a).normalized();
@@ -77,7 +62,7 @@ void ExpectRegion(const std::optional<Room>& room, const Polygon2& region) {
   EXPECT_EQ(room->polygon.outer.size(), region.outer.size());
   EXPECT_GT(AreaIou({room->polygon}, {region}), 0.999);
   EXPECT_EQ(room->floor_z, 0.1);
-  EXPECT_EQ(room->ceiling_z, 2.5);
+  EXPECT_EQ(room->ceiling_z, 2.4);
 }
 
 TEST(ShutClosets, TheCornerThatARoomGoesRound) {
@@ -97,6 +82,15 @@ TEST(ShutClosets, BetweenTwoRoomsBesideItsOwnUpToTheNearerEnd) {
 
 TEST(ShutClosets, NotWhereTheRoomsEndWithTheWall) {
   EXPECT_FALSE(ClosetOf({Box(0, 0, 4, 3)}, {2, 3}));
+}
+
+TEST(ShutClosets, NotWhereTheRoomBesideEndsTooFarOut) {
+  // What ends at the door's wall is more than what ends with the room beside it.
+  const std::vector<Polygon2> rooms = {Box(0, 0, 2, 3), Box(2.12, 0, 5, 4), Box(-4, 0, -0.12, 3)};
+  EXPECT_FALSE(ClosetOf(rooms, {1, 3}));
+  std::vector<Polygon2> longer = rooms;
+  longer.push_back(Box(5.12, 0, 8, 4));
+  EXPECT_TRUE(ClosetOf(longer, {1, 3}));
 }
 
 TEST(ShutClosets, NotAsDeepAsAYardNorAsShallowAsACupboard) {

@@ -7,26 +7,12 @@
 #include <vector>
 
 #include "tests/floorplan/drawn_evidence.h"
+#include "tests/floorplan/storey_of_rooms.h"
 
 namespace enfilade {
 namespace {
 
 // Walls of boxes: 0 below, 1 right, 2 above, 3 left of the first box, and so on.
-Storey StoreyOf(const std::vector<Polygon2>& rooms) {
-  Storey storey;
-  for (const Polygon2& polygon : rooms) {
-    const int room_id = static_cast<int>(storey.rooms.size());
-    storey.rooms.emplace_back().id = room_id;
-    for (size_t i = 0; i < polygon.outer.size(); ++i) {
-      Wall& wall = storey.walls.emplace_back();
-      wall.a = polygon.outer[i];
-      wall.b = polygon.outer[(i + 1) % polygon.outer.size()];
-      wall.room_id = room_id;
-      wall.thickness_m = 0.12;
-    }
-  }
-  return storey;
-}
 
 TEST(WallThickness, IsTheGapBetweenTwoSeenFaces) {
   Storey storey = StoreyOf({Box(0, 0, 4, 3), Box(4.2, 0, 8, 3)});

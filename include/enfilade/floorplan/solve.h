@@ -74,6 +74,7 @@ struct FloorplanReport {
   int num_inner_loops = 0;  ///< holes: pillars and free-standing walls
   int num_inner_walls = 0;  ///< walls that run into a room from its outline
   int num_slid_segments = 0;
+  int num_moved = 0;      ///< walls that were likely furniture's, put onto the line of others
   int num_joined = 0;     ///< rooms joined across walls that nobody saw
   int num_leaks = 0;      ///< windows, glass doors and mirrors beyond which something was left out
   int num_mirrors = 0;    ///< of them
