@@ -109,7 +109,7 @@ class Solver {
     const size_t num_entered = polygons.size();
     LeaveOutLeaks(field, evidence.cameras, polygons);
     TakeIn(field, polygons);
-    AddRooms(field, polygons, heights, samples, storey);
+    SetRooms(field, polygons, heights, samples, storey);
     // Cuts leave walls that nobody saw: what is to be joined is found before and joined after.
     const MultiPolygon2 gaps = FindUnseenWalls(field, options_.slide_m, num_entered, polygons);
     std::vector<Polygon2> parts =
@@ -118,18 +118,16 @@ class Solver {
     const bool is_cut = parts.size() != polygons.size();
     const int num_joined = JoinAcross(gaps, parts);
     report_.num_joined += num_joined;
-    if (is_cut || num_joined > 0) {
-      storey.rooms.clear();
-      storey.walls.clear();
-      AddRooms(field, parts, heights, samples, storey);
-    }
+    if (is_cut || num_joined > 0) SetRooms(field, parts, heights, samples, storey);
     MoveWalls(evidence, field, heights, samples, storey);
   }
 
  private:
-  void AddRooms(const LoopField& field, const std::vector<Polygon2>& polygons,
+  void SetRooms(const LoopField& field, const std::vector<Polygon2>& polygons,
                 const StoreyStructure& heights, const std::vector<HeightSample>& samples,
                 Storey& storey) {
+    storey.rooms.clear();
+    storey.walls.clear();
     for (const Polygon2& polygon : polygons)
       AddRoom(field, polygon, heights, samples, options_, storey);
     MeasureThickness(options_.openings.max_wall_m, storey);
@@ -139,18 +137,22 @@ class Solver {
   void MoveWalls(const EvidenceGrids& evidence, const LoopField& field,
                  const StoreyStructure& heights, const std::vector<HeightSample>& samples,
                  Storey& storey) {
+    const int num_before = report_.num_moved;
     for (int round = 0; round < kMaxMoves; ++round) {
       std::vector<Polygon2> polygons;
       for (const Room& room : storey.rooms) polygons.push_back(room.polygon);
       const std::vector<WallSigma> sigmas = FindWallSigmas(
           evidence, storey, FindWallWitnesses(scene_, structure_, storey, storey.id), options_);
       const int num_moved = MoveDoubtfulWalls(field, options_, storey, sigmas, polygons);
-      if (num_moved == 0) return;
+      if (num_moved == 0) break;
       report_.num_moved += num_moved;
-      storey.rooms.clear();
-      storey.walls.clear();
-      AddRooms(field, polygons, heights, samples, storey);
+      SetRooms(field, polygons, heights, samples, storey);
     }
+    if (report_.num_moved == num_before) return;
+    context_.log().Info(
+        fmt::format("{} walls that are likely fronts of furniture are put onto the "
+                    "lines of walls beside them",
+                    report_.num_moved - num_before));
   }
 
   // Appends the rooms that nobody entered.
