@@ -20,6 +20,8 @@ using Eigen::Vector2d;
 // must be at least, and what they are worth together.
 constexpr double kSameDoor_m = 0.3, kMinOtherSide = -1.5, kBothSides = 1;
 constexpr float kMaxBaseboard = 0.45F;  // across an opening
+// An opening shows from both sides where both were looked at: a wardrobe has a frame from one.
+constexpr double kMinOtherStrength = 0.4, kMinLookedAt = 0.8;
 
 FacadeView ReadView(const View& view, const Rigid3& home_from_world) {
   return {view.camera, home_from_world * view.world_from_cam, ReadImageGray(view.path),
@@ -65,13 +67,25 @@ double DistanceToCamera(const std::vector<Vector2d>& cameras, const Vector2d& p)
   return distance;
 }
 
-// True for the same door seen from two sides of a wall.
-bool AreTwoSides(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m) {
+// True for the same door seen from two sides of a wall, its middles up to max_aside_m apart.
+bool AreTwoSides(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m,
+                 double max_aside_m = kSameDoor_m) {
   if (a.Outward().dot(b.Outward()) > -0.98) return false;
   const Vector2d between = b.Middle() - a.Middle();
   const double behind_m = between.dot(a.Outward());
   const double aside_m = std::abs(between.dot((a.b - a.a).normalized()));
-  return behind_m > -0.05 && behind_m < max_wall_m && aside_m < kSameDoor_m;
+  return behind_m > -0.05 && behind_m < max_wall_m && aside_m < max_aside_m;
+}
+
+// How much of a frame's wall has this wall as its other side.
+double CommonWidth(const DoorCandidate& frame, const PicturedWall& wall, double max_wall_m) {
+  const Vector2d along = (frame.b - frame.a).normalized();
+  const double behind_m = (wall.a - frame.a).dot(frame.Outward());
+  if ((wall.b - wall.a).normalized().dot(along) > -0.98 || behind_m < -0.05 ||
+      behind_m > max_wall_m)
+    return 0;
+  return std::max(0.0, std::min(frame.frame.Width(), along.dot(wall.a - frame.a)) -
+                           std::max(0.0, along.dot(wall.b - frame.a)));
 }
 
 // The first of each place, in the order given.
@@ -174,13 +188,27 @@ std::vector<DoorCandidate> FindDoors(const std::vector<PicturedWall>& walls, int
 
 std::vector<DoorCandidate> FindWideOpenings(const std::vector<PicturedWall>& walls, int storey_idx,
                                             double min_strength, double max_wall_m) {
-  std::vector<DoorCandidate> openings;
+  std::vector<DoorCandidate> frames;
   for (size_t i = 0; i < walls.size(); ++i) {
     if (walls[i].storey_idx != storey_idx || walls[i].facade.num_views() == 0) continue;
-    for (const DoorFrame& frame : FindWideFrames(walls[i].facade)) {
-      if (frame.score >= min_strength && frame.baseboard <= kMaxBaseboard)
-        openings.push_back(CandidateOf(walls[i], i, frame, frame.score));
+    for (const DoorFrame& frame : FindWideFrames(walls[i].facade))
+      frames.push_back(CandidateOf(walls[i], i, frame, frame.score));
+  }
+  std::vector<DoorCandidate> openings;
+  for (const DoorCandidate& frame : frames) {
+    if (frame.log_odds < min_strength || frame.frame.baseboard > kMaxBaseboard) continue;
+    double looked_at_m = 0;  // from the other side
+    for (const PicturedWall& wall : walls) {
+      if (wall.storey_idx == storey_idx && wall.facade.num_views() > 0)
+        looked_at_m += CommonWidth(frame, wall, max_wall_m);
     }
+    const bool is_confirmed =
+        std::any_of(frames.begin(), frames.end(), [&](const DoorCandidate& other) {
+          return other.log_odds >= kMinOtherStrength &&
+                 AreTwoSides(frame, other, max_wall_m,
+                             0.5 * std::min(frame.frame.Width(), other.frame.Width()));
+        });
+    if (is_confirmed || looked_at_m < kMinLookedAt * frame.frame.Width()) openings.push_back(frame);
   }
   SortBySurest(openings);
   return OneOfEachPlace(openings, max_wall_m);

@@ -76,7 +76,7 @@ struct DoorCandidate {
                                                    double home_head_m, double max_wall_m);
 
 /// The wide frames of one storey's walls that are clear enough for an opening, clearest first; of
-/// one seen from both sides the clearer side.
+/// one seen from both sides the clearer side. Where both sides were looked at both must show it.
 [[nodiscard]] std::vector<DoorCandidate> FindWideOpenings(const std::vector<PicturedWall>& walls,
                                                           int storey_idx, double min_strength,
                                                           double max_wall_m);

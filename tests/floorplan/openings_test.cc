@@ -153,6 +153,21 @@ TEST_F(OpeningsTest, AWideOpeningJoinsRooms) {
   EXPECT_EQ(FirstJoinedRooms(plan.storeys[0]), (std::vector<size_t>{0, 0}));
 }
 
+TEST_F(OpeningsTest, WhatLooksLikeAWideOpeningFromOneSideAloneIsNone) {
+  std::vector<PaintedQuad> quads = PaintBox(0, 0, 8, 3);
+  for (const double x : {3.94, 4.06}) quads.push_back({0, x, 0, 3});
+  quads.push_back({0, 3.93, 0.6, 2.4, 0, kHead_m, 90});  // a wardrobe
+  const std::vector<Polygon2> rooms = {Box(0, 0, 3.94, 3), Box(4.06, 0, 8, 3)};
+  const std::vector<Vector3d> here = {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}};
+  std::vector<Vector3d> both = here;
+  both.insert(both.end(), {{5.5, 1, 1.5}, {6.5, 1.8, 1.5}});
+  Find(rooms, quads, both);
+  EXPECT_EQ(report_.num_openings, 0);
+  // Nobody looked at the other side.
+  Find(rooms, quads, here);
+  EXPECT_EQ(report_.num_openings, 1);
+}
+
 TEST_F(OpeningsTest, AWideWayIntoAClosetIsItsDoor) {
   const Floorplan plan = Find({Box(0, 0, 3.94, 3), Box(4.06, 0, 4.9, 3)}, TwoRooms(0.6, 2.4),
                               {{1.5, 1.2, 1.5}, {2.5, 2, 1.5}});
