@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "enfilade/base/check.h"
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/box_index.h"
-#include "src/floorplan/slide.h"
 #include "src/floorplan/sound_polygon.h"
+#include "src/floorplan/tidy_room.h"
 
 namespace enfilade {
 namespace {
@@ -18,7 +19,6 @@ using Eigen::Vector2d;
 
 // Probabilities that a wall's line is another surface's, between which the choice changes little.
 constexpr double kDoubtful = 0.25, kSure = 0.2;
-constexpr double kShallowest_m = 0.08;
 constexpr double kDeepest_m = 0.72;  // wardrobes, and what their lines are off by
 constexpr double kAside_m = 0.5;     // along the walls, between the two
 constexpr double kShortest_m = 0.3;
@@ -34,8 +34,6 @@ constexpr float kMinFreeness = 0.01F;
 
 constexpr double kOverlap_m = 0.005;     // of what is added and its room, so that they join
 constexpr double kMaxOwnPart_m2 = 0.01;  // of its room behind a wall
-constexpr double kCollinear_m = 1e-6;
-
 struct Face {
   explicit Face(const Wall& wall)
       : length_m((wall.b - wall.a).norm()),
@@ -46,7 +44,7 @@ struct Face {
 };
 
 // How far the line of a sure wall lies behind a doubtful one that may go on along it.
-std::optional<double> DepthOf(const Wall& sure, const Wall& doubtful) {
+std::optional<double> DepthOf(const Wall& sure, const Wall& doubtful, double min_jog_m) {
   const Face face(doubtful), other(sure);
   if (other.length_m < kMinSure_m || face.along.dot(other.along) < kParallel) return std::nullopt;
   const bool is_own = sure.room_id == doubtful.room_id;
@@ -55,7 +53,7 @@ std::optional<double> DepthOf(const Wall& sure, const Wall& doubtful) {
   const double depth_m = face.outward.dot(0.5 * (sure.a + sure.b) - doubtful.a);
   const double aside_m =
       std::max(face.along.dot(sure.a - doubtful.b), face.along.dot(doubtful.a - sure.b));
-  if (depth_m < kShallowest_m || depth_m > kDeepest_m || aside_m > kAside_m) return std::nullopt;
+  if (depth_m < min_jog_m || depth_m > kDeepest_m || aside_m > kAside_m) return std::nullopt;
   return depth_m;
 }
 
@@ -104,7 +102,7 @@ int MoveDoubtfulWalls(const LoopField& field, const FloorplanOptions& options, c
     std::optional<double> depth_m;
     for (const size_t j : index.Touching(Grown(BoxOf(wall.a, wall.b), kDeepest_m + kAside_m))) {
       if (sigmas[j].wrong_probability > kSure) continue;
-      const std::optional<double> to = DepthOf(storey.walls[j], wall);
+      const std::optional<double> to = DepthOf(storey.walls[j], wall, options.min_jog_m);
       if (to && (!depth_m || *to < *depth_m)) depth_m = to;
     }
     if (!depth_m) continue;
@@ -114,8 +112,9 @@ int MoveDoubtfulWalls(const LoopField& field, const FloorplanOptions& options, c
     const Ring2 space = {wall.b, wall.a, wall.a + out, wall.b + out};
     if (IsTaken({space, {}}, own, options.wall_thickness_m, polygons)) continue;
     const Ring2 added = {wall.b - over, wall.a - over, wall.a + out, wall.b + out};
-    Polygon2 wider = LargestRoom(Union({polygons[own]}, {{added, {}}}), kCollinear_m);
-    StraightenJogs(options.min_jog_m, LengthOf, wider);
+    Polygon2 wider =
+        TidyRoom(Union({polygons[own]}, {{added, {}}}), options.min_jog_m, LengthOf, own, polygons);
+    if (wider.outer.empty()) continue;
     polygons[own] = std::move(wider);
     ++num_moved;
   }

@@ -10,8 +10,8 @@
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/box_index.h"
 #include "src/floorplan/closet.h"
-#include "src/floorplan/slide.h"
 #include "src/floorplan/sound_polygon.h"
+#include "src/floorplan/tidy_room.h"
 #include "src/floorplan/wall_band.h"
 
 namespace enfilade {
@@ -32,13 +32,6 @@ MultiPolygon2 Enclosed(const MultiPolygon2& rooms, double gap_m, double max_hole
                   [&](const Ring2& hole) { return -SignedArea(hole) <= max_hole_m2; });
   }
   return Union(closed, rooms);
-}
-
-// The largest part without needless vertices.
-Polygon2 TidyPart(const MultiPolygon2& region, double min_jog_m, const WallWeight& weight) {
-  Polygon2 part = LargestRoom(region, kCollinear_m);
-  StraightenJogs(min_jog_m, weight, part);
-  return part;
 }
 
 // How far a room borders on a space, and how far without a wall that somebody saw.
@@ -65,8 +58,8 @@ class SpaceTaker {
     const bool is_cut_off = most_open->open_m >= kOpenSide_m;
     if (!is_cut_off) {
       const Polygon2 closet =
-          TidyRoom(OpenSharp(Difference({space}, Walls(std::nullopt)), kClosetDepth_m), LengthOf,
-                   std::nullopt);
+          TidyRoom(OpenSharp(Difference({space}, Walls(std::nullopt)), kClosetDepth_m),
+                   options_.min_jog_m, LengthOf, std::nullopt, rooms_);
       if (Area(closet) >= kClosetArea_m2) {
         rooms_.push_back(closet);
         return Area(closet);
@@ -137,26 +130,7 @@ class SpaceTaker {
       });
       return is_own ? LengthOf(a, b) : 0;
     };
-    return TidyRoom(Union({room}, by), weight, room_idx);
-  }
-
-  // Jogs stay where a wall put in line would run into another room. Empty if it does even so.
-  [[nodiscard]] Polygon2 TidyRoom(const MultiPolygon2& region, const WallWeight& weight,
-                                  std::optional<size_t> own) const {
-    for (const double min_jog_m : {options_.min_jog_m, 0.0}) {
-      Polygon2 room = TidyPart(region, min_jog_m, weight);
-      if (!OverlapsOthers(room, own)) return room;
-    }
-    return {};
-  }
-
-  [[nodiscard]] bool OverlapsOthers(const Polygon2& polygon, std::optional<size_t> own) const {
-    const Box2 bounds = BoxOf(polygon.outer);
-    for (size_t i = 0; i < rooms_.size(); ++i) {
-      if (i == own || !bounds.intersects(BoxOf(rooms_[i].outer))) continue;
-      if (Area(Intersection({polygon}, {rooms_[i]})) > kMaxOverlap_m2) return true;
-    }
-    return false;
+    return TidyRoom(Union({room}, by), options_.min_jog_m, weight, room_idx, rooms_);
   }
 
   // Adds the space to the room that is most open to it, or else gets the fewest vertices.

@@ -96,7 +96,8 @@ struct FloorplanReport {
 /// own loop. Runs of the loop beside walls that run along neither axis are redrawn straight where a
 /// straight face is seen. Then every segment slides along its normal to the wall evidence. Cores
 /// get disjoint territories, so rooms do not overlap. Rooms are cut at walls with doors that the
-/// views' pictures show (view.path; views without one are passed over).
+/// views' pictures show (view.path; views without one are passed over). A wall that is likely the
+/// front of furniture moves back onto the line of a wall beside it.
 ///
 /// FloorplanMode::kPaper draws what the paper does, from raw counts: one loop round all cores that
 /// cameras see each other through, a cell of it costs where it has too few wall points, and a
