@@ -3,6 +3,7 @@
 #include "src/floorplan/doubtful_walls.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -61,11 +62,14 @@ std::optional<double> DepthOf(const Wall& sure, const Wall& doubtful, double min
 float FreenessBehind(const LoopField& field, const Wall& wall, double depth_m) {
   const Face face(wall);
   const double step_m = field.frame.cell_m;
+  const auto num_along = static_cast<int>(std::ceil(0.8 * face.length_m / step_m));
+  const auto num_deep = static_cast<int>(std::ceil((depth_m - kFaceDepth_m) / step_m)) - 2;
   double sum = 0;
   int count = 0;
-  for (double s = 0.1 * face.length_m; s < 0.9 * face.length_m; s += step_m) {
-    for (double d = kFaceDepth_m; d < depth_m - 2 * step_m; d += step_m) {
-      const Vector2d p = wall.a + s * face.along + d * face.outward;
+  for (int i = 0; i < num_along; ++i) {
+    for (int k = 0; k < num_deep; ++k) {
+      const Vector2d p = wall.a + (0.1 * face.length_m + i * step_m) * face.along +
+                         (kFaceDepth_m + k * step_m) * face.outward;
       const int row = field.frame.Row(p.y()), col = field.frame.Col(p.x());
       if (field.frame.IsInside(row, col)) sum += field.freeness(row, col);
       ++count;
