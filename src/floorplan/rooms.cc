@@ -27,16 +27,6 @@ double WeightedMedian(std::vector<std::pair<double, double>> values, double fall
   return values.back().first;
 }
 
-Wall MakeWall(const LoopField& field, const Vector2d& a, const Vector2d& b,
-              const FloorplanOptions& options) {
-  Wall wall;
-  wall.a = a;
-  wall.b = b;
-  wall.thickness_m = options.wall_thickness_m;
-  wall.seen = SeenOf(MeasureWallBand(field, a, b, options.slide_m).seen_share);
-  return wall;
-}
-
 }  // namespace
 
 WallSeen SeenOf(double seen_share) {
@@ -81,21 +71,31 @@ Room MakeRoom(const Polygon2& polygon, const StoreyStructure& heights,
   return room;
 }
 
+size_t AppendWalls(const Room& room, double thickness_m, Storey& storey) {
+  const size_t first = storey.walls.size();
+  for (const Ring2& ring : RingsOf(room.polygon)) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      Wall& wall = storey.walls.emplace_back();
+      wall.id = static_cast<int>(storey.walls.size()) - 1;
+      wall.a = ring[i];
+      wall.b = ring[(i + 1) % ring.size()];
+      wall.room_id = room.id;
+      wall.thickness_m = thickness_m;
+    }
+  }
+  return first;
+}
+
 void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
              const std::vector<HeightSample>& samples, const FloorplanOptions& options,
              Storey& storey) {
   Room room = MakeRoom(polygon, heights, samples);
   room.id = static_cast<int>(storey.rooms.size());
-  const auto add_walls = [&](const Ring2& ring) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      Wall wall = MakeWall(field, ring[i], ring[(i + 1) % ring.size()], options);
-      wall.id = static_cast<int>(storey.walls.size());
-      wall.room_id = room.id;
-      storey.walls.push_back(std::move(wall));
-    }
-  };
-  add_walls(polygon.outer);
-  for (const Ring2& hole : polygon.holes) add_walls(hole);
+  for (size_t i = AppendWalls(room, options.wall_thickness_m, storey); i < storey.walls.size();
+       ++i) {
+    Wall& wall = storey.walls[i];
+    wall.seen = SeenOf(MeasureWallBand(field, wall.a, wall.b, options.slide_m).seen_share);
+  }
   storey.rooms.push_back(std::move(room));
 }
 

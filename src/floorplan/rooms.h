@@ -33,6 +33,10 @@ struct HeightSample {
 [[nodiscard]] Room MakeRoom(const Polygon2& polygon, const StoreyStructure& heights,
                             const std::vector<HeightSample>& samples);
 
+/// Appends a wall for every edge of the room's outline and holes, in ring order, numbered on, of
+/// that thickness; the rest is as in a new Wall. Returns the index of the first.
+size_t AppendWalls(const Room& room, double thickness_m, Storey& storey);
+
 /// Adds a room (MakeRoom) and its walls to the storey.
 void AddRoom(const LoopField& field, const Polygon2& polygon, const StoreyStructure& heights,
              const std::vector<HeightSample>& samples, const FloorplanOptions& options,

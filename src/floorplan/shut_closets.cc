@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "enfilade/geometry/boolean.h"
 #include "src/floorplan/closet.h"
+#include "src/floorplan/rooms.h"
 #include "src/floorplan/sound_polygon.h"
 #include "src/floorplan/wall_thickness.h"
 
@@ -36,16 +38,8 @@ void AddCloset(const Polygon2& polygon, double floor_z, double ceiling_z, double
   closet.polygon = polygon;
   closet.floor_z = floor_z;
   closet.ceiling_z = ceiling_z;
-  for (size_t i = 0; i < polygon.outer.size(); ++i) {
-    Wall wall;
-    wall.id = static_cast<int>(storey.walls.size());
-    wall.a = polygon.outer[i];
-    wall.b = polygon.outer[(i + 1) % polygon.outer.size()];
-    wall.room_id = closet.id;
-    wall.thickness_m = thickness_m;
-    wall.seen = WallSeen::kInferred;
-    storey.walls.push_back(wall);
-  }
+  for (size_t i = AppendWalls(closet, thickness_m, storey); i < storey.walls.size(); ++i)
+    storey.walls[i].seen = WallSeen::kInferred;
   storey.rooms.push_back(std::move(closet));
 }
 
@@ -104,11 +98,13 @@ Polygon2 ClosetFinder::Behind(const Wall& wall) const {
 
 int AddShutClosets(const FloorplanOptions& options, Storey& storey) {
   int num_closets = 0;
+  std::optional<ClosetFinder> finder;  // until a closet changes the storey
   for (Opening& door : storey.openings) {
     if (door.kind != OpeningKind::kDoor || door.other_room_id) continue;
-    const Polygon2 closet =
-        ClosetFinder(options, storey).Behind(storey.walls[static_cast<size_t>(door.wall_id)]);
+    if (!finder) finder.emplace(options, storey);
+    const Polygon2 closet = finder->Behind(storey.walls[static_cast<size_t>(door.wall_id)]);
     if (closet.outer.empty()) continue;
+    finder.reset();
     const Room& room = storey.rooms[static_cast<size_t>(door.room_id)];
     door.other_room_id = static_cast<int>(storey.rooms.size());
     AddCloset(closet, room.floor_z, room.ceiling_z, options.wall_thickness_m, storey);

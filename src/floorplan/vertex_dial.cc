@@ -16,6 +16,7 @@
 #include "enfilade/floorplan/wall_lookup.h"
 #include "enfilade/floorplan/wall_sigma.h"
 #include "src/floorplan/micrometres.h"
+#include "src/floorplan/rooms.h"
 #include "src/floorplan/wall_thickness.h"
 
 namespace enfilade {
@@ -377,20 +378,12 @@ void TakeOutline(const OutlineChoice& outline, double wall_thickness_m, Room& ro
                  Storey& storey) {
   room.polygon = outline.polygon;
   double variance = 0;
-  size_t edge = 0;
-  for (const Ring2& ring : RingsOf(outline.polygon)) {
-    for (size_t i = 0; i < ring.size(); ++i, ++edge) {
-      Wall wall;
-      wall.id = static_cast<int>(storey.walls.size());
-      wall.a = ring[i];
-      wall.b = ring[(i + 1) % ring.size()];
-      wall.room_id = room.id;
-      wall.thickness_m = wall_thickness_m;
-      wall.seen = outline.seen.at(edge);
-      wall.sigma_m = outline.sigma_m.at(edge);
-      variance += (wall.b - wall.a).squaredNorm() * wall.sigma_m * wall.sigma_m;
-      storey.walls.push_back(std::move(wall));
-    }
+  const size_t first = AppendWalls(room, wall_thickness_m, storey);
+  for (size_t i = first; i < storey.walls.size(); ++i) {
+    Wall& wall = storey.walls[i];
+    wall.seen = outline.seen.at(i - first);
+    wall.sigma_m = outline.sigma_m.at(i - first);
+    variance += (wall.b - wall.a).squaredNorm() * wall.sigma_m * wall.sigma_m;
   }
   room.area_sigma_m2 = std::sqrt(variance);
 }
