@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "enfilade/image/codec.h"
 #include "src/floorplan/facade_store.h"
+#include "src/floorplan/wall_thickness.h"
 #include "src/floorplan/window_frames.h"
 
 namespace enfilade {
@@ -16,8 +18,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-// What the two sides of a wall say of one door: how far its middles may be apart, how sure each
-// must be at least, and what they are worth together.
+// The two sides of a wall run against each other (cosine) and may cross by errors.
+constexpr double kOpposite = 0.98, kMinBehind_m = -0.05;
+// What they say of one door: how far its middles may be apart, how sure each must be at least, and
+// what they are worth together.
 constexpr double kSameDoor_m = 0.3, kMinOtherSide = -1.5, kBothSides = 1;
 constexpr float kMaxBaseboard = 0.45F;  // across an opening
 // An opening shows from both sides where both were looked at: a wardrobe has a frame from one.
@@ -70,22 +74,18 @@ double DistanceToCamera(const std::vector<Vector2d>& cameras, const Vector2d& p)
 // True for the same door seen from two sides of a wall, its middles up to max_aside_m apart.
 bool AreTwoSides(const DoorCandidate& a, const DoorCandidate& b, double max_wall_m,
                  double max_aside_m = kSameDoor_m) {
-  if (a.Outward().dot(b.Outward()) > -0.98) return false;
+  if (a.Outward().dot(b.Outward()) > -kOpposite) return false;
   const Vector2d between = b.Middle() - a.Middle();
   const double behind_m = between.dot(a.Outward());
   const double aside_m = std::abs(between.dot((a.b - a.a).normalized()));
-  return behind_m > -0.05 && behind_m < max_wall_m && aside_m < max_aside_m;
+  return behind_m > kMinBehind_m && behind_m < max_wall_m && aside_m < max_aside_m;
 }
 
-// How much of a frame's wall has this wall as its other side.
+// How much of a frame has this wall as the other side of its own.
 double CommonWidth(const DoorCandidate& frame, const PicturedWall& wall, double max_wall_m) {
-  const Vector2d along = (frame.b - frame.a).normalized();
-  const double behind_m = (wall.a - frame.a).dot(frame.Outward());
-  if ((wall.b - wall.a).normalized().dot(along) > -0.98 || behind_m < -0.05 ||
-      behind_m > max_wall_m)
-    return 0;
-  return std::max(0.0, std::min(frame.frame.Width(), along.dot(wall.a - frame.a)) -
-                           std::max(0.0, along.dot(wall.b - frame.a)));
+  const std::optional<FarFace> face = FarFaceOf(frame.a, frame.b, wall.a, wall.b, kOpposite);
+  if (!face || face->gap_m < kMinBehind_m || face->gap_m > max_wall_m) return 0;
+  return std::max(0.0, face->common_m);
 }
 
 // The first of each place, in the order given.

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "enfilade/base/check.h"
 #include "src/floorplan/box_index.h"
 #include "src/floorplan/loop_field.h"
 #include "src/floorplan/wall_band.h"
+#include "src/floorplan/wall_thickness.h"
 
 namespace enfilade {
 namespace {
@@ -73,19 +75,14 @@ double CollinearLength(const Storey& storey, const BoxIndex& index, const Wall& 
 }
 
 bool HasTwin(const Storey& storey, const BoxIndex& index, const Wall& wall) {
-  const Line line(wall);
-  const double wall_length = (wall.b - wall.a).norm();
+  const double least_m = kTwinOverlap * (wall.b - wall.a).norm();
   const std::vector<size_t> near = index.Touching(Grown(BoxOf(wall.a, wall.b), kThickestWall_m));
   return std::any_of(near.begin(), near.end(), [&](size_t i) {
     const Wall& other = storey.walls[i];
-    const double length = (other.b - other.a).norm();
-    if (length < kShortest_m || line.along.dot(other.b - other.a) > -kParallel * length)
-      return false;
-    const double gap = -line.normal.dot(0.5 * (other.a + other.b) - line.origin);
-    const double from = std::max(0.0, line.along.dot(other.b - line.origin));
-    const double to = std::min(wall_length, line.along.dot(other.a - line.origin));
-    return gap > kThinnestWall_m && gap < kThickestWall_m &&
-           to - from >= kTwinOverlap * wall_length;
+    if ((other.b - other.a).norm() < kShortest_m) return false;
+    const std::optional<FarFace> face = FarFaceOf(wall.a, wall.b, other.a, other.b, kParallel);
+    return face && face->gap_m > kThinnestWall_m && face->gap_m < kThickestWall_m &&
+           face->common_m >= least_m;
   });
 }
 
