@@ -2,28 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/floorplan/storey_of_rooms.h"
 
+#include <utility>
+
+#include "tests/support/plan_fixtures.h"
+
 namespace enfilade {
 
-Storey StoreyOf(const std::vector<Polygon2>& rooms) {
-  Storey storey;
-  for (const Polygon2& polygon : rooms) {
-    Room room;
-    room.id = static_cast<int>(storey.rooms.size());
+Storey StoreyOf(const std::vector<Polygon2>& polygons) {
+  std::vector<Room> rooms;
+  for (const Polygon2& polygon : polygons) {
+    Room& room = rooms.emplace_back();
+    room.id = static_cast<int>(rooms.size()) - 1;
     room.polygon = polygon;
     room.ceiling_z = 2.4;
-    storey.rooms.push_back(room);
-    const Ring2& ring = polygon.outer;
-    for (size_t i = 0; i < ring.size(); ++i) {
-      Wall wall;
-      wall.id = static_cast<int>(storey.walls.size());
-      wall.a = ring[i];
-      wall.b = ring[(i + 1) % ring.size()];
-      wall.room_id = room.id;
-      wall.thickness_m = 0.12;
-      wall.sigma_m = 0.02;
-      storey.walls.push_back(wall);
-    }
   }
+  Storey storey = std::move(MakePlan(std::move(rooms), 0.12).storeys[0]);
+  for (Wall& wall : storey.walls) wall.sigma_m = 0.02;
   return storey;
 }
 

@@ -8,8 +8,8 @@
 
 namespace enfilade {
 
-/// Rooms 0, 1, … from floor 0 to ceiling 2.4, the edges of their outlines as walls in ring order,
-/// seen, 12 cm thick, σ 2 cm.
-[[nodiscard]] Storey StoreyOf(const std::vector<Polygon2>& rooms);
+/// Rooms 0, 1, … from floor 0 to ceiling 2.4, their edges as walls in ring order, seen,
+/// 12 cm thick, σ 2 cm.
+[[nodiscard]] Storey StoreyOf(const std::vector<Polygon2>& polygons);
 
 }  // namespace enfilade
