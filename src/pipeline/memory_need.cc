@@ -45,7 +45,8 @@ double LeastMemoryMb(const Scene& scene, int num_threads) {
 }
 
 // Measured: two pictures of 2048 pixels take 502 MB with one thread and 898 MB with two. Finding
-// features, each thread holds a picture and the scale space of a view;
+// features, each thread holds a picture and the scale space of a view; then the floors of sixteen
+// pictures at a time are held as spectra;
 // afterwards each feature has a level ray and a place in the search for tracks, and each picture
 // about a thousand rays in the refinement.
 double LeastSfmMemoryMb(const Scene& scene, const FeatureOptions& options, int num_threads) {
@@ -54,13 +55,16 @@ double LeastSfmMemoryMb(const Scene& scene, const FeatureOptions& options, int n
   constexpr double kPlacedFeatureBytes = kFeatureBytes + 24 + 52;
   constexpr double kPixelBytes = 190;
   constexpr double kRefinement_mb = 0.7;
+  constexpr double kFloor_mb = 0.16, kFloorSpectrum_mb = 6.3, kSpectraTogether = 16;
   const double num_views = static_cast<double>(scene.views.size());
   const double num_features = num_views * options.max_features;
   const double finding_mb =
       1e-6 * (kFeatureBytes * num_features +
               kPixelBytes * LargestPixels(scene) * NumDecoded(scene, num_threads));
+  const double floors_mb = 1e-6 * kFeatureBytes * num_features + kFloor_mb * num_views +
+                           kFloorSpectrum_mb * std::min(num_views, kSpectraTogether);
   const double placing_mb = 1e-6 * kPlacedFeatureBytes * num_features + kRefinement_mb * num_views;
-  return kBase_mb + std::max(finding_mb, placing_mb);
+  return kBase_mb + std::max({finding_mb, floors_mb, placing_mb});
 }
 
 void RequireMemory(double need_mb, const std::string& cure, RunContext& context) {

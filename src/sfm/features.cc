@@ -10,6 +10,7 @@
 #include "enfilade/base/check.h"
 #include "enfilade/scene/virtual_view.h"
 #include "src/sfm/feature_pool.h"
+#include "src/sfm/to_gray.h"
 #include "src/sfm/view_ring.h"
 
 namespace enfilade {
@@ -18,16 +19,6 @@ namespace {
 // OpenCV doubles the picture without regard to where its pixels' centres go, which shifts all
 // features by a quarter of a pixel, and counts from the centre of the top-left pixel.
 constexpr double kPixelShift = 0.5 - 0.25;
-
-ImageU8 ToGray(const ImageU8& picture) {
-  if (picture.channels() == 1) return picture;
-  ImageU8 gray(picture.rows(), picture.cols());
-  const cv::Mat rgb(picture.rows(), picture.cols(), CV_8UC3,
-                    const_cast<uint8_t*>(picture.data().data()));
-  cv::Mat target(gray.rows(), gray.cols(), CV_8U, gray.data().data());
-  cv::cvtColor(rgb, target, cv::COLOR_RGB2GRAY);
-  return gray;
-}
 
 std::array<float, kDescriptorSize> RootSift(const float* sift) {
   float sum = 0;

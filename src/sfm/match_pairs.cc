@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/sfm/match_pairs.h"
 
+#include <Eigen/Core>
+
+#include "enfilade/geometry/angles.h"
 #include "src/sfm/level_rays.h"
 
 namespace enfilade {
@@ -12,6 +15,23 @@ bool IsClearer(const PanoPair& pair, const PanoPair& than) {
   const bool is_other_same = than.verdict == PairVerdict::kSamePlace;
   if (is_same != is_other_same) return is_same;
   return pair.log10_chance < than.log10_chance;
+}
+
+// What the features say of the place that the floors tell.
+PanoPair JudgeFloor(const PairToMatch& pair, const PanoToMatch& a, const PanoToMatch& b,
+                    const DescriptorMatchOptions& match, const TwoViewOptions& two_view,
+                    const PairHints& hints) {
+  const FloorMatch& floor = *pair.floor;
+  std::vector<FeatureMatch> matches =
+      MatchAtYaw(a.features, a.gravity, b.features, b.gravity, floor.yaw_rad, match);
+  matches.insert(matches.end(), pair.followed.begin(), pair.followed.end());
+  const TwoViewGeometry geometry{RotationZ(floor.yaw_rad),
+                                 Eigen::Vector3d(floor.step.x(), floor.step.y(), 0).normalized()};
+  PanoPair judged = JudgePlace(a.level_rays, b.level_rays, matches, floor.spots, geometry,
+                               floor.digits, two_view, hints);
+  judged.a_idx = pair.a_idx;
+  judged.b_idx = pair.b_idx;
+  return judged;
 }
 
 }  // namespace
@@ -34,15 +54,20 @@ PanoPair MatchPair(const PairToMatch& pair, const PanoToMatch& a, const PanoToMa
     return estimated;
   };
   std::optional<PanoPair> best;
+  const auto keep_clearer = [&](PanoPair estimated) {
+    if (!best || IsClearer(estimated, *best)) best = std::move(estimated);
+  };
+  if (pair.floor != nullptr) keep_clearer(JudgeFloor(pair, a, b, match, two_view, hints));
   for (int turn = 0; turn < kNumTurns; ++turn) {
     if (pair.yaw_rad && turn != TurnOfYaw(a.gravity, b.gravity, *pair.yaw_rad)) continue;
     hints.yaw_rad = YawOfTurn(a.features, a.gravity, b.features, b.gravity, turn);
     if (!hints.yaw_rad) {
       hints.yaw_rad = pair.yaw_rad;
-      return estimate(MatchDescriptors(a.features.descriptors, b.features.descriptors, match));
+      keep_clearer(
+          estimate(MatchDescriptors(a.features.descriptors, b.features.descriptors, match)));
+      break;
     }
-    PanoPair turned = estimate(MatchWalls(a.features, b.features, turn, match));
-    if (!best || IsClearer(turned, *best)) best = std::move(turned);
+    keep_clearer(estimate(MatchWalls(a.features, b.features, turn, match)));
   }
   return *best;
 }

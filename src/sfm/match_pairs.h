@@ -25,6 +25,7 @@ struct PairToMatch {
   int a_idx = 0, b_idx = 0;                 ///< views, a_idx < b_idx
   std::optional<double> yaw_rad = {};       ///< of b in a's level frame, where it is known
   std::vector<FeatureMatch> followed = {};  ///< matches beside those of the descriptors
+  const FloorMatch* floor = nullptr;        ///< where their floors lie on each other, if known
 };
 
 /// A panorama as it is compared. References must outlive it.
@@ -37,7 +38,8 @@ struct PanoToMatch {
 
 /// Matches the descriptors of two panoramas, wall by wall for each of the four quarter turns or,
 /// where walls are not known, all with all, and estimates how the two stand to each other
-/// (EstimatePair): of the turns the one that chance explains least.
+/// (EstimatePair): of the turns the one that chance explains least. The place that the floors tell
+/// is judged as well (JudgePlace), with what chance gives the floors.
 [[nodiscard]] PanoPair MatchPair(const PairToMatch& pair, const PanoToMatch& a,
                                  const PanoToMatch& b, const DescriptorMatchOptions& match,
                                  const TwoViewOptions& two_view);

@@ -12,6 +12,7 @@
 #include "enfilade/base/check.h"
 #include "src/sfm/component_heading.h"
 #include "src/sfm/door_heads.h"
+#include "src/sfm/floor_matches.h"
 #include "src/sfm/level_rays.h"
 #include "src/sfm/odd_pictures.h"
 #include "src/sfm/picture_warnings.h"
@@ -165,17 +166,36 @@ void SetPoints(const SeenPictures& seen, const Registration& registration,
   }
 }
 
+// The places that floors tell; their spots are added to the features.
+std::vector<FloorMatch> MatchSeenFloors(const RegisterOptions& options, RunContext& context,
+                                        SeenPictures& seen) {
+  const std::vector<ViewPair> pairs =
+      SelectPairs(seen.features, options.selection, options.match, context);
+  return MatchFloors(seen.floors, pairs, seen.gravity, context, seen.features);
+}
+
 // Registers the panoramas, those that stand upside down beside the others turned over.
 Registration Register(const Scene& scene, const PlaceOptions& options, RunContext& context,
                       std::span<const PairMatches> followed, SeenPictures& seen,
                       std::vector<std::string>& warnings) {
-  Registration registration =
-      RegisterFeatures(seen.features, seen.gravity, options.registration, context, followed);
+  std::vector<FloorMatch> floors;
+  if (!options.is_ordered) floors = MatchSeenFloors(options.registration, context, seen);
+  Registration registration = RegisterFeatures(seen.features, seen.gravity, options.registration,
+                                               context, followed, floors);
+  const std::vector<Gravity> gravity_before = seen.gravity;
   const std::vector<OddTie> upside_down = TurnOverTheUpsideDown(
       registration.component_idx, options.registration, context, seen.features, seen.gravity);
   if (!upside_down.empty()) {
-    registration =
-        RegisterFeatures(seen.features, seen.gravity, options.registration, context, followed);
+    // What was taken for the floor of a picture on its head is the ceiling.
+    const auto is_turned = [&](int view) {
+      const size_t i = static_cast<size_t>(view);
+      return seen.gravity[i].up_in_cam != gravity_before[i].up_in_cam;
+    };
+    std::erase_if(floors, [&](const FloorMatch& floor) {
+      return is_turned(floor.a_idx) || is_turned(floor.b_idx);
+    });
+    registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context,
+                                    followed, floors);
   }
   WarnOfUpsideDown(scene.views, upside_down, warnings);
   WarnOfMirrored(scene.views,
@@ -258,6 +278,7 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
   WarnOfUntied(scene.views, registration.component_idx, report.warnings);
   report.warnings.insert(report.warnings.end(), report.scale.warnings.begin(),
                          report.scale.warnings.end());
+  FindMissingColours(scene, context, seen);
   SetPoints(seen, registration, world_from_component, report.scale.camera_height_m, scene);
   for (const std::string& warning : report.warnings) context.log().Warning(warning);
   return report;

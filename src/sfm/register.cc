@@ -25,13 +25,18 @@ using Eigen::Vector3d;
 
 // The pairs to match, with what is known of them beside the pictures' descriptors.
 std::vector<PairToMatch> ListPairs(std::span<const ViewPair> selected,
-                                   std::span<const PairMatches> followed) {
-  std::map<ViewPair, std::vector<FeatureMatch>> matches;
-  for (const ViewPair& pair : selected) matches[pair];
-  for (const PairMatches& pair : followed) matches[{pair.a_idx, pair.b_idx}] = pair.matches;
+                                   std::span<const PairMatches> followed,
+                                   std::span<const FloorMatch> floors) {
+  std::map<ViewPair, PairToMatch> to_match;
+  for (const ViewPair& pair : selected) to_match[pair];
+  for (const PairMatches& pair : followed)
+    to_match[{pair.a_idx, pair.b_idx}].followed = pair.matches;
+  for (const FloorMatch& floor : floors) to_match[{floor.a_idx, floor.b_idx}].floor = &floor;
   std::vector<PairToMatch> pairs;
-  for (auto& [pair, known] : matches) {
-    pairs.push_back({pair.a_idx, pair.b_idx, {}, std::move(known)});
+  for (auto& [views, pair] : to_match) {
+    pair.a_idx = views.a_idx;
+    pair.b_idx = views.b_idx;
+    pairs.push_back(std::move(pair));
   }
   return pairs;
 }
@@ -167,14 +172,15 @@ void RefineRegistration(std::span<const PanoFeatures> features, std::span<const 
 
 Registration RegisterFeatures(std::span<const PanoFeatures> features,
                               std::span<const Gravity> gravity, const RegisterOptions& options,
-                              RunContext& context, std::span<const PairMatches> followed) {
+                              RunContext& context, std::span<const PairMatches> followed,
+                              std::span<const FloorMatch> floors) {
   const int num_views = static_cast<int>(features.size());
   if (num_views == 0) return {};
   const LevelRays level = TurnLevel(features, gravity);
   Registration registration;
   const std::vector<ViewPair> selected =
       SelectPairs(features, options.selection, options.match, context);
-  registration.pairs = MatchPairs(ListPairs(selected, followed), features, gravity, level,
+  registration.pairs = MatchPairs(ListPairs(selected, followed, floors), features, gravity, level,
                                   options.match, options.two_view, context);
   FindLengths(level, registration.pairs);
   AssembleGroups(num_views, registration.pairs);

@@ -14,7 +14,7 @@
 namespace enfilade {
 namespace {
 
-constexpr std::string_view kMagic = "enfilade seen 2\n";
+constexpr std::string_view kMagic = "enfilade seen 3\n";
 constexpr size_t kHashDigits = 64, kNameDigits = 16;
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 static_assert(sizeof(Eigen::Matrix<uint8_t, 3, 1>) == 3);
@@ -37,7 +37,8 @@ bool Take(std::string_view& bytes, std::vector<T>& values) {
 
 std::string Encode(const SeenPicture& seen) {
   const std::vector<uint32_t> sizes = {static_cast<uint32_t>(seen.features.size()),
-                                       static_cast<uint32_t>(seen.segments.size())};
+                                       static_cast<uint32_t>(seen.segments.size()),
+                                       static_cast<uint32_t>(seen.floor.contrast.data().size())};
   std::string bytes;
   Append(sizes, bytes);
   Append(seen.features.rays, bytes);
@@ -46,15 +47,19 @@ std::string Encode(const SeenPicture& seen) {
   Append(seen.features.descriptors.values, bytes);
   Append(seen.colours, bytes);
   Append(seen.segments, bytes);
+  Append(seen.floor.contrast.data(), bytes);
   return bytes;
 }
 
 std::optional<SeenPicture> Decode(std::string_view bytes) {
-  std::vector<uint32_t> sizes(2);
+  std::vector<uint32_t> sizes(3);
   if (!Take(bytes, sizes)) return std::nullopt;
-  const size_t num_features = sizes[0], num_segments = sizes[1];
+  const size_t num_features = sizes[0], num_segments = sizes[1], num_floor = sizes[2];
+  constexpr size_t kFloorPixels = size_t{FloorPicture::kSide} * FloorPicture::kSide;
+  if (num_floor != 0 && num_floor != kFloorPixels) return std::nullopt;
   constexpr size_t kFeatureBytes = 3 * sizeof(float) + sizeof(float) + 1 + kDescriptorSize + 3;
-  if (bytes.size() != num_features * kFeatureBytes + num_segments * sizeof(LineSegment)) {
+  if (bytes.size() !=
+      num_features * kFeatureBytes + num_segments * sizeof(LineSegment) + num_floor) {
     return std::nullopt;
   }
   SeenPicture seen;
@@ -64,10 +69,12 @@ std::optional<SeenPicture> Decode(std::string_view bytes) {
   seen.features.descriptors.values.resize(num_features * kDescriptorSize);
   seen.colours.resize(num_features);
   seen.segments.resize(num_segments);
+  if (num_floor > 0) seen.floor.contrast = {FloorPicture::kSide, FloorPicture::kSide};
   const bool is_whole = Take(bytes, seen.features.rays) && Take(bytes, seen.features.sizes_rad) &&
                         Take(bytes, seen.features.walls) &&
                         Take(bytes, seen.features.descriptors.values) &&
-                        Take(bytes, seen.colours) && Take(bytes, seen.segments);
+                        Take(bytes, seen.colours) && Take(bytes, seen.segments) &&
+                        Take(bytes, seen.floor.contrast.data());
   ENFILADE_CHECK(is_whole && bytes.empty());
   return seen;
 }

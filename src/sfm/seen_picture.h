@@ -15,6 +15,7 @@
 #include "enfilade/sfm/features.h"
 #include "enfilade/sfm/gravity.h"
 #include "enfilade/sfm/types.h"
+#include "src/sfm/floor_picture.h"
 
 namespace enfilade {
 
@@ -23,6 +24,7 @@ struct SeenPicture {
   PanoFeatures features;
   std::vector<Eigen::Matrix<uint8_t, 3, 1>> colours;  ///< RGB, one a feature
   std::vector<LineSegment> segments;
+  FloorPicture floor;
 };
 
 /// The file in `folder` in which PlacePanoramas leaves what it saw of a panorama, so that a stopped

@@ -47,15 +47,22 @@ SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOpt
   const Gravity gravity = GravityAndHeading(seen.segments, view);
   seen.features = ExtractFeatures(picture, trusted, view.camera, CamFromWalls(gravity), options);
   seen.colours = ColoursOf(seen.features.rays, picture, view.camera);
+  if (gravity.heading_rad) {
+    seen.floor = LookAtFloor(picture, trusted, view.camera, CamFromWalls(gravity));
+  }
   SaveSeenPicture(file, key, seen);
   return seen;
 }
 
 // Likewise, but for the features, which COLMAP finds with what this tells.
 SeenPicture LookAtLines(const View& view, const Stand& stand) {
+  const ImageU8 picture = ReadImageRgb(view.path), trusted = TrustedPixels(view, stand);
   SeenPicture seen;
-  seen.segments =
-      FindLineSegments(ReadImageRgb(view.path), TrustedPixels(view, stand), view.camera);
+  seen.segments = FindLineSegments(picture, trusted, view.camera);
+  const Gravity gravity = GravityAndHeading(seen.segments, view);
+  if (gravity.heading_rad) {
+    seen.floor = LookAtFloor(picture, trusted, view.camera, CamFromWalls(gravity));
+  }
   return seen;
 }
 
@@ -69,7 +76,8 @@ SeenPictures LookAtPictures(const Scene& scene, std::span<const Keyframe> keyfra
   const Stand stand = FindStandOfScene(scene, stand_options, context);
   SeenPictures seen{std::vector<PanoFeatures>(num_views), std::vector<std::vector<Rgb>>(num_views),
                     std::vector<Gravity>(num_views),
-                    std::vector<std::vector<LineSegment>>(num_views)};
+                    std::vector<std::vector<LineSegment>>(num_views),
+                    std::vector<FloorPicture>(num_views)};
   const bool use_colmap = ChooseFeatureSource(features) == FeatureSource::kColmap;
   const auto is_panorama = [&](size_t i) {
     return scene.views[i].camera.model == CameraModel::kEquirectangular;
@@ -86,6 +94,7 @@ SeenPictures LookAtPictures(const Scene& scene, std::span<const Keyframe> keyfra
                 seen.features[i] = std::move(picture.features);
                 seen.colours[i] = std::move(picture.colours);
                 seen.segments[i] = std::move(picture.segments);
+                seen.floors[i] = std::move(picture.floor);
               });
   if (use_colmap) {
     std::vector<Eigen::Matrix3d> cam_from_walls;
@@ -93,18 +102,24 @@ SeenPictures LookAtPictures(const Scene& scene, std::span<const Keyframe> keyfra
     seen.features = ExtractFeaturesWithColmap(scene.views, cam_from_walls, stand, features,
                                               work_folder / "database.db", context);
   }
-  if (use_colmap || !keyframes.empty()) {
-    ParallelFor(context, "find colours", static_cast<int64_t>(num_views), [&](int64_t k) {
-      const size_t i = static_cast<size_t>(k);
-      if (!is_panorama(i)) return;
-      // What was followed becomes the last features, without descriptors.
-      std::vector<Eigen::Vector3f>& rays = seen.features[i].rays;
-      if (!keyframes.empty())
-        rays.insert(rays.end(), keyframes[i].rays.begin(), keyframes[i].rays.end());
-      seen.colours[i] = ColoursOf(rays, ReadImageRgb(scene.views[i].path), scene.views[i].camera);
-    });
+  // What was followed becomes the last features, without descriptors.
+  for (size_t i = 0; i < keyframes.size(); ++i) {
+    std::vector<Eigen::Vector3f>& rays = seen.features[i].rays;
+    if (is_panorama(i)) rays.insert(rays.end(), keyframes[i].rays.begin(), keyframes[i].rays.end());
   }
   return seen;
+}
+
+void FindMissingColours(const Scene& scene, RunContext& context, SeenPictures& seen) {
+  std::vector<size_t> missing;
+  for (size_t i = 0; i < seen.features.size(); ++i) {
+    if (seen.colours[i].size() < seen.features[i].rays.size()) missing.push_back(i);
+  }
+  ParallelFor(context, "find colours", static_cast<int64_t>(missing.size()), [&](int64_t k) {
+    const size_t i = missing[static_cast<size_t>(k)];
+    const View& view = scene.views[i];
+    seen.colours[i] = ColoursOf(seen.features[i].rays, ReadImageRgb(view.path), view.camera);
+  });
 }
 
 ScenePoint PointOfTrack(const Track& track, const SeenPictures& seen, std::span<const View> views) {

@@ -245,6 +245,46 @@ int NumSectors(const Matrix3d& rotation, std::span<const RayPair> matches) {
       std::count_if(counts.begin(), counts.end(), [](int n) { return n >= 3; }));
 }
 
+// The matches' rays with weights.
+std::vector<RayPair> RaysOf(std::span<const Vector3d> level_rays_a,
+                            std::span<const Vector3d> level_rays_b,
+                            std::span<const FeatureMatch> matches, const PairHints& hints) {
+  std::vector<RayPair> rays;
+  for (const FeatureMatch& match : matches) {
+    const auto a = static_cast<size_t>(match.a_idx), b = static_cast<size_t>(match.b_idx);
+    RayPair pair_of_rays{level_rays_a[a], level_rays_b[b]};
+    if (a < hints.log_sizes_a.size() && b < hints.log_sizes_b.size()) {
+      pair_of_rays.first_log_size = hints.log_sizes_a[a];
+      pair_of_rays.second_log_size = hints.log_sizes_b[b];
+    }
+    rays.push_back(pair_of_rays);
+  }
+  ShareWeights(rays);
+  return rays;
+}
+
+std::vector<size_t> NotOfLandscape(std::span<const RayPair> rays) {
+  std::vector<Vector3d> rays_a, rays_b;
+  for (const RayPair& pair_of_rays : rays) {
+    rays_a.push_back(pair_of_rays.first);
+    rays_b.push_back(pair_of_rays.second);
+  }
+  return WithoutLandscape(rays_a, rays_b);
+}
+
+// The matches that agree with a geometry become the pair's.
+void SetInliers(const TwoViewGeometry& geometry, std::span<const RayPair> rays,
+                std::span<const FeatureMatch> matches, double bound_rad, PanoPair& pair) {
+  std::vector<double> parallaxes;
+  pair.inliers.clear();
+  for (size_t k = 0; k < rays.size(); ++k) {
+    if (!Agrees(geometry, rays[k], bound_rad)) continue;
+    pair.inliers.push_back(matches[k]);
+    parallaxes.push_back(Parallax(geometry, rays[k]));
+  }
+  pair.parallax_rad = UpperMedian(parallaxes);
+}
+
 struct Judged {
   TwoViewGeometry geometry;
   double score = 0;
@@ -307,21 +347,8 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
   PanoPair pair;
   pair.num_matches = static_cast<int>(matches.size());
   if (pair.num_matches < kMinMatches) return pair;
-  std::vector<RayPair> rays;
-  std::vector<Vector3d> rays_a, rays_b;
-  for (const FeatureMatch& match : matches) {
-    const auto a = static_cast<size_t>(match.a_idx), b = static_cast<size_t>(match.b_idx);
-    RayPair pair_of_rays{level_rays_a[a], level_rays_b[b]};
-    if (a < hints.log_sizes_a.size() && b < hints.log_sizes_b.size()) {
-      pair_of_rays.first_log_size = hints.log_sizes_a[a];
-      pair_of_rays.second_log_size = hints.log_sizes_b[b];
-    }
-    rays.push_back(pair_of_rays);
-    rays_a.push_back(pair_of_rays.first);
-    rays_b.push_back(pair_of_rays.second);
-  }
-  ShareWeights(rays);
-  const std::vector<size_t> near_idx = WithoutLandscape(rays_a, rays_b);
+  const std::vector<RayPair> rays = RaysOf(level_rays_a, level_rays_b, matches, hints);
+  const std::vector<size_t> near_idx = NotOfLandscape(rays);
   std::vector<RayPair> near;
   for (const size_t i : near_idx) near.push_back(rays[i]);
   const double bound_rad = DegToRad(options.inlier_deg);
@@ -333,13 +360,9 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
   pair.direction = best.geometry.direction;
   pair.log10_chance =
       Log10Chance(best.score, num_spots, chance, hints.yaw_rad ? kLog10FourYaws : kLog10AnyYaw);
-  std::vector<double> parallaxes;
-  for (size_t k = 0; k < near.size(); ++k) {
-    if (!Agrees(best.geometry, near[k], bound_rad)) continue;
-    pair.inliers.push_back(matches[near_idx[k]]);
-    parallaxes.push_back(Parallax(best.geometry, near[k]));
-  }
-  pair.parallax_rad = UpperMedian(parallaxes);
+  std::vector<FeatureMatch> near_matches;
+  for (const size_t i : near_idx) near_matches.push_back(matches[i]);
+  SetInliers(best.geometry, near, near_matches, bound_rad, pair);
   const auto [rotation, num_turned] = BestRotation(rays);
   const double num_inliers = static_cast<double>(pair.inliers.size());
   if (num_turned >= options.min_inliers && num_turned >= kSamePlaceShare * num_inliers &&
@@ -358,6 +381,42 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
     const bool is_far = pair.parallax_rad < kFarParallax_rad;
     const double bound = is_far ? kFarLog10Chance : options.max_log10_chance;
     pair.verdict = pair.log10_chance <= bound ? PairVerdict::kAccepted : PairVerdict::kChance;
+  }
+  return pair;
+}
+
+PanoPair JudgePlace(std::span<const Vector3d> level_rays_a, std::span<const Vector3d> level_rays_b,
+                    std::span<const FeatureMatch> matches, std::span<const FeatureMatch> spots,
+                    const TwoViewGeometry& geometry, double digits, const TwoViewOptions& options,
+                    const PairHints& hints) {
+  const double bound_rad = DegToRad(options.inlier_deg);
+  const std::vector<RayPair> rays = RaysOf(level_rays_a, level_rays_b, matches, hints);
+  std::vector<RayPair> near;
+  std::vector<FeatureMatch> all_matches;
+  for (const size_t i : NotOfLandscape(rays)) {
+    near.push_back(rays[i]);
+    all_matches.push_back(matches[i]);
+  }
+  const std::vector<RayPair> on_floor = RaysOf(level_rays_a, level_rays_b, spots, hints);
+  std::vector<RayPair> all = near;
+  all.insert(all.end(), on_floor.begin(), on_floor.end());
+  all_matches.insert(all_matches.end(), spots.begin(), spots.end());
+  const TwoViewGeometry refined = Refine(geometry, all, options, true);
+  PanoPair pair;
+  pair.num_matches = static_cast<int>(matches.size());
+  pair.a_from_b = refined.a_from_b;
+  pair.direction = refined.direction;
+  SetInliers(refined, all, all_matches, bound_rad, pair);
+  pair.log10_chance = -digits;
+  if (!near.empty()) {
+    double num_spots = 0;
+    for (const RayPair& pair_of_rays : near) num_spots += pair_of_rays.weight;
+    pair.log10_chance += Log10Chance(Score(refined, near, bound_rad), num_spots,
+                                     ChanceOfOne(refined, near, bound_rad), 0);
+  }
+  if (static_cast<double>(pair.inliers.size()) >= options.min_inliers) {
+    pair.verdict = pair.log10_chance <= options.max_log10_chance ? PairVerdict::kAccepted
+                                                                 : PairVerdict::kChance;
   }
   return pair;
 }

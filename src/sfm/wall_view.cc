@@ -19,7 +19,7 @@ Matrix3d WallViewFrame(int view) {
     const double azimuth = view * kPi / 2;
     forward = {std::round(std::cos(azimuth)), std::round(std::sin(azimuth)), 0};
     down = -Vector3d::UnitZ();
-  } else if (view == kNumLevelWallViews) {
+  } else if (view == kFloorWallView) {
     forward = -Vector3d::UnitZ();
   }
   Matrix3d frame;

@@ -14,6 +14,7 @@ namespace enfilade {
 /// and 270°, upright; 4 looks down and 5 up, both with the top of the picture along +x.
 inline constexpr int kNumWallViews = 6;
 inline constexpr int kNumLevelWallViews = 4;
+inline constexpr int kFloorWallView = 4;
 
 /// The view's axes (right, down, forward) in that frame as columns.
 [[nodiscard]] Eigen::Matrix3d WallViewFrame(int view);

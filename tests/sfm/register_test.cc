@@ -268,5 +268,27 @@ TEST(RegisterFeatures, StopsOnRequest) {
   EXPECT_THROW((void)RegisterFeatures(scene.features, scene.gravity, {}, context), StoppedError);
 }
 
+// What floors tell ties a room behind a shut door.
+TEST(RegisterFeatures, TakesFloorsForPairs) {
+  RegistrationScene scene = MakeThreeRooms(1);
+  const PanoPair truth = TruePair(scene, 6, 7);
+  FloorMatch floor{6, 7, truth.Yaw_rad(), truth.length * truth.direction.head<2>(), 40, {}};
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::Vector3d at(6.2 + 0.1 * (i % 6), 0.9 + 0.15 * (i / 6), 0);
+    floor.spots.push_back({scene.features[6].size(), scene.features[7].size()});
+    for (const size_t view : {size_t{6}, size_t{7}}) {
+      const Eigen::Vector3d ray = scene.world_from_cam[view].Inverse() * at;
+      scene.features[view].rays.push_back(ray.normalized().cast<float>());
+    }
+  }
+  RunContext context(1);
+  const Registration result = RegisterFeatures(scene.features, scene.gravity, {}, context, {},
+                                               std::vector<FloorMatch>{floor});
+  EXPECT_THAT(result.component_idx, ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 0));
+  const std::vector<int> all = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  EXPECT_LT(ComparePoses(result.world_from_cam, scene.world_from_cam, all).position,
+            2 * kOneCentimetre);
+}
+
 }  // namespace
 }  // namespace enfilade

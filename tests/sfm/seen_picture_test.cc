@@ -41,6 +41,7 @@ void ExpectSame(const SeenPicture& x, const SeenPicture& y) {
   EXPECT_EQ(x.features.walls, y.features.walls);
   EXPECT_EQ(x.features.descriptors.values, y.features.descriptors.values);
   EXPECT_EQ(x.colours, y.colours);
+  EXPECT_EQ(x.floor.contrast.data(), y.floor.contrast.data());
   ASSERT_EQ(x.segments.size(), y.segments.size());
   for (size_t i = 0; i < x.segments.size(); ++i) {
     EXPECT_EQ(x.segments[i].from, y.segments[i].from);
@@ -73,6 +74,17 @@ TEST_F(SeenPictureTest, ComesBackAsItWas) {
     ASSERT_TRUE(loaded.has_value());
     ExpectSame(*loaded, seen);
   }
+}
+
+TEST_F(SeenPictureTest, BringsTheFloorBack) {
+  SeenPicture seen = MakeSeen(3, 2);
+  seen.floor.contrast = {FloorPicture::kSide, FloorPicture::kSide, 1, int8_t{-3}};
+  seen.floor.contrast(5, 7) = 90;
+  SaveSeenPicture(file, Key(), seen);
+  const std::optional<SeenPicture> loaded = LoadSeenPicture(file, Key());
+  ASSERT_TRUE(loaded.has_value());
+  ExpectSame(*loaded, seen);
+  EXPECT_EQ(loaded->floor.contrast.rows(), FloorPicture::kSide);
 }
 
 TEST_F(SeenPictureTest, IsAbsentAtFirst) { EXPECT_FALSE(LoadSeenPicture(file, Key())); }

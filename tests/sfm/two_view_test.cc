@@ -301,5 +301,41 @@ TEST(EstimatePair, FewMatchesSayNothing) {
             PairVerdict::kFewMatches);
 }
 
+TEST(JudgePlace, CountsMatchesAndDigitsAtTheToldPlace) {
+  const MadePair made({.noise_rad = DegToRad(0.05)}, kCameraA, kCameraB);
+  const std::vector<FeatureMatch> matches = made.Matches(12, 60, 1);
+  const std::vector<FeatureMatch> spots = made.Matches(made.truth.inliers.size(), 0, 1);
+  // Told to a degree or two.
+  const TwoViewGeometry told{RotationZ(DegToRad(0.5)) * made.truth.a_from_b,
+                             RotationZ(DegToRad(1.5)) * made.truth.direction};
+  const auto judge = [&](const std::vector<FeatureMatch>& on_floor, const TwoViewGeometry& place,
+                         double digits) {
+    return JudgePlace(made.rays_a, made.rays_b, matches, on_floor, place, digits, {});
+  };
+  const PanoPair alone = judge({}, told, 0), with_spots = judge(spots, told, 0);
+  made.ExpectNear(with_spots, 0.2, "with spots");
+  // Spots help to tell the place, not how likely it is.
+  EXPECT_NEAR(with_spots.log10_chance, alone.log10_chance, 2);
+  EXPECT_GT(with_spots.inliers.size(), spots.size());
+  EXPECT_NEAR(judge(spots, told, 7).log10_chance, with_spots.log10_chance - 7, 1e-9);
+  // One hypothesis instead of thousands.
+  EXPECT_LT(alone.log10_chance, made.Estimate(matches).log10_chance - 2);
+  // At a wrong place nothing agrees but what the floor says for itself.
+  const TwoViewGeometry wrong{RotationZ(kPi / 2) * made.truth.a_from_b, made.truth.direction};
+  EXPECT_GT(judge({}, wrong, 0).log10_chance, -4);
+  EXPECT_NE(judge({}, wrong, 0).verdict, PairVerdict::kAccepted);
+}
+
+TEST(JudgePlace, TakesTheFloorsWordWhereNothingElseMatches) {
+  const MadePair made({}, kCameraA, kCameraB);
+  const TwoViewGeometry told{made.truth.a_from_b, made.truth.direction};
+  const PanoPair pair = JudgePlace(made.rays_a, made.rays_b, {}, made.truth.inliers, told, 12, {});
+  EXPECT_EQ(pair.verdict, PairVerdict::kAccepted);
+  EXPECT_EQ(pair.log10_chance, -12);
+  EXPECT_EQ(pair.inliers.size(), made.truth.inliers.size());
+  EXPECT_EQ(JudgePlace(made.rays_a, made.rays_b, {}, {}, told, 12, {}).verdict,
+            PairVerdict::kFewMatches);
+}
+
 }  // namespace
 }  // namespace enfilade

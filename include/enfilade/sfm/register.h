@@ -58,11 +58,13 @@ struct Registration {
 /// are found anew each time. Views that nothing ties to others are components of their own.
 ///
 /// `followed` are matches that a film's tracks tell, beside those of the descriptors: one list for
-/// some of the pairs.
+/// some of the pairs. `floors` are places that floors tell, their spots among the features' rays
+/// that have no descriptors.
 [[nodiscard]] Registration RegisterFeatures(std::span<const PanoFeatures> features,
                                             std::span<const Gravity> gravity,
                                             const RegisterOptions& options, RunContext& context,
-                                            std::span<const PairMatches> followed = {});
+                                            std::span<const PairMatches> followed = {},
+                                            std::span<const FloorMatch> floors = {});
 
 /// Points and rounds of bundle adjustment from the poses and pairs that a registration has, then
 /// matching once more with these poses, and both again; what RegisterFeatures ends with. Replaces

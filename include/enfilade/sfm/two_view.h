@@ -87,4 +87,15 @@ struct PairHints {
                                     std::span<const FeatureMatch> matches,
                                     const TwoViewOptions& options, const PairHints& hints = {});
 
+/// What matches say of a place that something else tells, where `spots` are matches too (of the
+/// floor), with so many digits of chance for it: `geometry` is refined over both near where it is,
+/// the matches are counted as EstimatePair does, but for one hypothesis, and the digits are added.
+/// Accepted by the same bound.
+[[nodiscard]] PanoPair JudgePlace(std::span<const Eigen::Vector3d> level_rays_a,
+                                  std::span<const Eigen::Vector3d> level_rays_b,
+                                  std::span<const FeatureMatch> matches,
+                                  std::span<const FeatureMatch> spots,
+                                  const TwoViewGeometry& geometry, double digits,
+                                  const TwoViewOptions& options, const PairHints& hints = {});
+
 }  // namespace enfilade

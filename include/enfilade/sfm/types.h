@@ -32,6 +32,15 @@ struct PairMatches {
   std::vector<FeatureMatch> matches;
 };
 
+/// Where the floors of two panoramas lie on each other best, in a's level frame.
+struct FloorMatch {
+  int a_idx = 0, b_idx = 0;         ///< views, a_idx < b_idx
+  double yaw_rad = 0;               ///< of b
+  Eigen::Vector2d step{0, 0};       ///< from a to b, camera heights
+  double digits = 0;                ///< how clear it is, as −PanoPair::log10_chance counts
+  std::vector<FeatureMatch> spots;  ///< of the floor: features without descriptors, ascending
+};
+
 /// How a panorama's lines say that it stands.
 struct Gravity {
   Eigen::Vector3d up_in_cam{0, -1, 0};  ///< unit, upward in the camera frame
