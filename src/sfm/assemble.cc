@@ -74,18 +74,6 @@ Groups GroupStrong(int num_views, std::vector<PanoPair>& pairs) {
 
 double Digits(const PanoPair& pair) { return std::max(0.0, -pair.log10_chance); }
 
-// Whether a pair tells the pose of its b in a's frame.
-bool Agrees(const PanoPair& pair, const Rigid3& a_from_b) {
-  if (std::abs(WrapPi(pair.Yaw_rad() - YawOf(a_from_b.rotation))) > kMaxTurn_rad) return false;
-  const Eigen::Vector2d apart = a_from_b.translation.head<2>();
-  const Eigen::Vector2d told = pair.direction.head<2>().normalized();
-  if (pair.length > 0) {
-    return (pair.length * told - apart).norm() <
-           std::max(kMaxMiss, kMaxMissShare * std::max(pair.length, apart.norm()));
-  }
-  return std::acos(std::clamp(told.dot(apart.normalized()), -1.0, 1.0)) < kMaxDirection_rad;
-}
-
 // A place of one group in the frame of another, and how many digits of chance speak for it.
 struct Tie {
   int group = 0, other = 0;
@@ -103,7 +91,7 @@ bool Supports(const PanoPair& pair, const Groups& groups, const Tie& tie) {
   const Rigid3 moved = groups.GroupOf(pair.b_idx) == tie.other
                            ? a.Inverse() * tie.group_from_other * b
                            : (tie.group_from_other * a).Inverse() * b;
-  return Agrees(pair, moved);
+  return TellsPlace(pair, moved);
 }
 
 std::optional<Tie> TieOf(const PanoPair& pair, const Groups& groups) {
@@ -154,6 +142,17 @@ std::optional<Tie> ClearestTie(std::span<const PanoPair* const> weak, const Grou
 
 }  // namespace
 
+bool TellsPlace(const PanoPair& pair, const Rigid3& a_from_b) {
+  if (std::abs(WrapPi(pair.Yaw_rad() - YawOf(a_from_b.rotation))) > kMaxTurn_rad) return false;
+  const Eigen::Vector2d apart = a_from_b.translation.head<2>();
+  const Eigen::Vector2d told = pair.direction.head<2>().normalized();
+  if (pair.length > 0) {
+    return (pair.length * told - apart).norm() <
+           std::max(kMaxMiss, kMaxMissShare * std::max(pair.length, apart.norm()));
+  }
+  return std::acos(std::clamp(told.dot(apart.normalized()), -1.0, 1.0)) < kMaxDirection_rad;
+}
+
 void AssembleGroups(int num_views, std::vector<PanoPair>& pairs) {
   Groups groups = GroupStrong(num_views, pairs);
   std::vector<PanoPair*> weak;
@@ -168,7 +167,7 @@ void AssembleGroups(int num_views, std::vector<PanoPair>& pairs) {
     const Rigid3 &a = groups.PoseOf(pair->a_idx), &b = groups.PoseOf(pair->b_idx);
     if (groups.GroupOf(pair->a_idx) != groups.GroupOf(pair->b_idx)) {
       pair->verdict = PairVerdict::kChance;
-    } else if (!Agrees(*pair, a.Inverse() * b)) {
+    } else if (!TellsPlace(*pair, a.Inverse() * b)) {
       pair->verdict = PairVerdict::kAgainstPositions;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "enfilade/geometry/rigid3.h"
 #include "enfilade/sfm/types.h"
 
 namespace enfilade {
@@ -20,5 +21,9 @@ namespace enfilade {
 /// Expects lengths where floor, ceiling or shared features tell them. What does not hold gets the
 /// verdict kAgainstTriplets, kAgainstPositions or, between groups, kChance.
 void AssembleGroups(int num_views, std::vector<PanoPair>& pairs);
+
+/// Whether a pair tells the place of its b in a's level frame (camera heights): to 3° and a fifth
+/// of a camera height or an eighth of the length or, where the length is not known, to 8°.
+[[nodiscard]] bool TellsPlace(const PanoPair& pair, const Rigid3& a_from_b);
 
 }  // namespace enfilade

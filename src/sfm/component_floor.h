@@ -9,6 +9,9 @@
 
 namespace enfilade {
 
+/// Components of which the smaller shares more of its floor lie on each other: rooms do not.
+inline constexpr double kMaxOverlap = 0.25;
+
 /// The floor that the panoramas of one component see before their walls.
 class ComponentFloor {
  public:

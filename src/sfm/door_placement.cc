@@ -29,7 +29,6 @@ constexpr size_t kMaxTried = 4000, kNumPlaces = 400;
 // is wider than what refining is to reach.
 constexpr size_t kNumRefined = 40;
 constexpr double kWiderBound = 4;
-constexpr double kMaxOverlap = 0.25;
 constexpr int kApart = 2;
 // Rooms that a door joins stand wall to wall: so much floor of one lies within reach of the
 // other's.
@@ -222,11 +221,12 @@ std::vector<JudgedPlacement> DifferentPlaces(std::span<const JudgedPlacement> ju
   return different;
 }
 
-}  // namespace
-
+// Where one component covers so much of the smaller one's floor (OverlapShare).
 double LogOddsNeeded(double overlap_share, const JoinOptions& options) {
   return overlap_share > kMaxOverlap ? options.min_log_odds_overlapping : options.min_log_odds;
 }
+
+}  // namespace
 
 std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,
                                                  const ComponentFloor& a, const ComponentFloor& b,

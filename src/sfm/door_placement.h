@@ -26,10 +26,6 @@ struct JudgedPlacement {
   double log_odds = 0;
 };
 
-/// What speaks for a join must reach this where one component covers so much of the smaller one's
-/// floor (ComponentFloor::OverlapShare).
-[[nodiscard]] double LogOddsNeeded(double overlap_share, const JoinOptions& options);
-
 /// Where component b lies in the frame of a, from their matches through a door; none where no place
 /// stands out. See JoinComponents.
 [[nodiscard]] std::optional<JudgedPlacement> FindDoorPlacement(const TurnedMatches& matches,

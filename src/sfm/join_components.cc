@@ -13,6 +13,7 @@
 #include "src/sfm/door_placement.h"
 #include "src/sfm/landscape.h"
 #include "src/sfm/level_rays.h"
+#include "src/sfm/pair_joins.h"
 #include "src/sfm/wall_matches.h"
 
 namespace enfilade {
@@ -138,8 +139,8 @@ class Groups {
       for (size_t j = 0; j < group_.size(); ++j) {
         if (group_[i] != group_a || group_[j] != group_b) continue;
         const Rigid3 i_from_j = group_from_[i].Inverse() * a_group_from_b_group * group_from_[j];
-        const double overlap = floors[i].OverlapShare(floors[j], i_from_j);
-        if (join.log_odds < LogOddsNeeded(overlap, options)) return false;
+        const bool is_overlapping = floors[i].OverlapShare(floors[j], i_from_j) > kMaxOverlap;
+        if (is_overlapping && join.log_odds < options.min_log_odds_overlapping) return false;
       }
     }
     for (size_t j = 0; j < group_.size(); ++j) {
@@ -166,7 +167,7 @@ std::vector<ComponentJoin> JoinComponents(const UnjoinedComponents& components,
   if (components.component_idx.empty()) return {};
   const std::vector<ComponentFloor> floors = FloorsOf(components);
   const ViewLogSizes log_sizes = SizesOf(components);
-  std::vector<ComponentJoin> found;
+  std::vector<ComponentJoin> found = JoinsOfPairs(components, floors, options);
   for (size_t a = 0; a < floors.size(); ++a) {
     for (size_t b = a + 1; b < floors.size(); ++b) {
       const TurnedMatches matches =

@@ -264,9 +264,10 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
     const std::vector<RoomOutline> outlines = surroundings.find_outlines(scene, context);
     std::vector<Rigid3> world_from_cam;
     for (const View& view : scene.views) world_from_cam.push_back(view.world_from_cam);
-    report.joins = JoinComponents(
-        {world_from_cam, registration.component_idx, seen.features, seen.gravity, outlines},
-        options.joining, context);
+    report.joins =
+        JoinComponents({world_from_cam, registration.component_idx, seen.features, seen.gravity,
+                        outlines, registration.pairs, report.scale.camera_height_m},
+                       options.joining, context);
     if (!report.joins.empty()) {
       ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, seen.gravity,
                  registration);

@@ -46,6 +46,8 @@ struct UnjoinedComponents {
   std::span<const PanoFeatures> features;  ///< one a view
   std::span<const Gravity> gravity;        ///< one a view
   std::span<const RoomOutline> outlines;   ///< one a view
+  std::span<const PanoPair> pairs = {};    ///< that were matched, lengths in camera heights
+  double camera_height_m = 1;
 };
 
 /// Two panoramas of joined components and the matches seen through the door between them.
