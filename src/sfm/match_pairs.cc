@@ -3,6 +3,8 @@
 #include "src/sfm/match_pairs.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 #include "enfilade/geometry/angles.h"
 #include "src/sfm/level_rays.h"
@@ -10,11 +12,23 @@
 namespace enfilade {
 namespace {
 
+// A thousandth of the wrong places of floors have so many digits, and a home has some hundred
+// pairs. In tour 264 a place of 5 digits in whose direction lay a false one of the features, of 9,
+// set two rooms 2 m wrong. What is less clear counts where the features tell the same by
+// themselves.
+constexpr double kDigitsAlone = 9;
+constexpr double kSameTurn_rad = DegToRad(2), kSameDirection_rad = DegToRad(3);
+
 bool IsClearer(const PanoPair& pair, const PanoPair& than) {
   const bool is_same = pair.verdict == PairVerdict::kSamePlace;
   const bool is_other_same = than.verdict == PairVerdict::kSamePlace;
   if (is_same != is_other_same) return is_same;
   return pair.log10_chance < than.log10_chance;
+}
+
+bool AreOnePlace(const PanoPair& x, const PanoPair& y) {
+  return std::abs(WrapPi(x.Yaw_rad() - y.Yaw_rad())) < kSameTurn_rad &&
+         std::acos(std::clamp(x.direction.dot(y.direction), -1.0, 1.0)) < kSameDirection_rad;
 }
 
 // What the features say of the place that the floors tell.
@@ -57,7 +71,6 @@ PanoPair MatchPair(const PairToMatch& pair, const PanoToMatch& a, const PanoToMa
   const auto keep_clearer = [&](PanoPair estimated) {
     if (!best || IsClearer(estimated, *best)) best = std::move(estimated);
   };
-  if (pair.floor != nullptr) keep_clearer(JudgeFloor(pair, a, b, match, two_view, hints));
   for (int turn = 0; turn < kNumTurns; ++turn) {
     if (pair.yaw_rad && turn != TurnOfYaw(a.gravity, b.gravity, *pair.yaw_rad)) continue;
     hints.yaw_rad = YawOfTurn(a.features, a.gravity, b.features, b.gravity, turn);
@@ -68,6 +81,12 @@ PanoPair MatchPair(const PairToMatch& pair, const PanoToMatch& a, const PanoToMa
       break;
     }
     keep_clearer(estimate(MatchWalls(a.features, b.features, turn, match)));
+  }
+  if (pair.floor != nullptr) {
+    PanoPair judged = JudgeFloor(pair, a, b, match, two_view, hints);
+    if (pair.floor->digits >= kDigitsAlone || AreOnePlace(judged, *best)) {
+      keep_clearer(std::move(judged));
+    }
   }
   return *best;
 }

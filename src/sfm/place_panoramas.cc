@@ -174,6 +174,16 @@ std::vector<FloorMatch> MatchSeenFloors(const RegisterOptions& options, RunConte
   return MatchFloors(seen.floors, pairs, seen.gravity, context, seen.features);
 }
 
+// Refines poses with what floors show where panoramas are known to stand.
+void RefineOnFloors(RegisterOptions options, RunContext& context, SeenPictures& seen,
+                    Registration& registration) {
+  if (MatchFloorsAgain(seen.floors, seen.gravity, context, registration, seen.features) == 0) {
+    return;
+  }
+  options.use_guided = false;
+  RefineRegistration(seen.features, seen.gravity, options, context, registration);
+}
+
 // Registers the panoramas, those that stand upside down beside the others turned over.
 Registration Register(const Scene& scene, const PlaceOptions& options, RunContext& context,
                       std::span<const PairMatches> followed, SeenPictures& seen,
@@ -191,12 +201,16 @@ Registration Register(const Scene& scene, const PlaceOptions& options, RunContex
       const size_t i = static_cast<size_t>(view);
       return seen.gravity[i].up_in_cam != gravity_before[i].up_in_cam;
     };
+    for (size_t i = 0; i < seen.floors.size(); ++i) {
+      if (is_turned(static_cast<int>(i))) seen.floors[i] = {};
+    }
     std::erase_if(floors, [&](const FloorMatch& floor) {
       return is_turned(floor.a_idx) || is_turned(floor.b_idx);
     });
     registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context,
                                     followed, floors);
   }
+  if (!options.is_ordered) RefineOnFloors(options.registration, context, seen, registration);
   WarnOfUpsideDown(scene.views, upside_down, warnings);
   WarnOfMirrored(scene.views,
                  FindMirrored(seen.features, seen.gravity, registration.component_idx,
@@ -272,6 +286,7 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
       ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, seen.gravity,
                  registration);
       RefineRegistration(seen.features, seen.gravity, options.registration, context, registration);
+      RefineOnFloors(options.registration, context, seen, registration);
     }
   }
   place(known);

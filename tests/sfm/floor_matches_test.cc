@@ -57,6 +57,13 @@ TEST(LookAtFloor, SeesNothingOnPlainFloorsAndUnderTheStand) {
   EXPECT_EQ(picture.contrast(0, 0), 0);
 }
 
+// The point of the floor that a feature of a panorama shows.
+Vector2d OnFloor(const FloorPano& pano, const PanoFeatures& features, int feature) {
+  const Vector3d ray = RotationZ(pano.yaw_rad) * LevelFromCam(pano.Standing()) *
+                       features.rays[static_cast<size_t>(feature)].cast<double>();
+  return pano.at - pano.height / ray.z() * ray.head<2>();
+}
+
 TEST(PlaceFloors, FindsStepAndTurn) {
   const FloorTexture texture = RandomFloor(3);
   const FloorPano a{{0.3, -0.2}, 0.2}, b{{1.5, 0.6}, 2.6};
@@ -74,12 +81,8 @@ TEST(PlaceFloors, FindsStepAndTurn) {
   EXPECT_NEAR((matches[0].step - step.head<2>()).norm(), 0, 0.01);
   ASSERT_GT(matches[0].spots.size(), 20U);
   for (const FeatureMatch& spot : matches[0].spots) {
-    const auto on_floor = [&](size_t view, const FloorPano& pano, int feature) -> Vector2d {
-      const Vector3d ray = RotationZ(pano.yaw_rad) * LevelFromCam(gravity[view]) *
-                           features[view].rays[static_cast<size_t>(feature)].cast<double>();
-      return pano.at - ray.head<2>() / ray.z();
-    };
-    EXPECT_NEAR((on_floor(0, a, spot.a_idx) - on_floor(1, b, spot.b_idx)).norm(), 0, 0.01);
+    EXPECT_LT((OnFloor(a, features[0], spot.a_idx) - OnFloor(b, features[1], spot.b_idx)).norm(),
+              0.01);
   }
 }
 
@@ -121,6 +124,49 @@ TEST(MatchFloors, SaysTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(x[k].spots, y[k].spots);
   }
   for (size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].rays, three[i].rays);
+}
+
+TEST(MatchFloorsAgain, FindsSpotsWherePosesSayTheyAre) {
+  const FloorTexture texture = RandomFloor(7), other = RandomFloor(8);
+  // The third looks at another floor, the fourth does not stand where its pose says.
+  const std::vector<FloorPano> panos = {
+      {{0, 0}, 0.2, 0.98}, {{1.2, 0.5}, 1.9, 1.02}, {{0.5, 1.0}, 0.5}, {{-0.6, 0.9}, 0.1}};
+  std::vector<FloorPicture> floors;
+  std::vector<Gravity> gravity;
+  Registration registration;
+  for (size_t i = 0; i < panos.size(); ++i) {
+    floors.push_back(panos[i].Look(i == 2 ? other : texture));
+    gravity.push_back(panos[i].Standing());
+    Vector3d at(panos[i].at.x(), panos[i].at.y(), panos[i].height);
+    at += i == 3 ? Vector3d(0.4, 0, 0) : Vector3d(0.01, -0.01, 0) * static_cast<double>(i);
+    registration.world_from_cam.push_back(
+        {RotationZ(panos[i].yaw_rad) * LevelFromCam(gravity[i]), at});
+  }
+  registration.component_idx = {0, 0, 0, 0};
+  for (int a = 0; a < 4; ++a) {
+    for (int b = a + 1; b < 4; ++b) {
+      PanoPair pair;
+      pair.a_idx = a;
+      pair.b_idx = b;
+      pair.inliers = {{0, 0}};  // of a match before
+      registration.pairs.push_back(pair);
+    }
+  }
+  RunContext context(2);
+  std::vector<PanoFeatures> features(panos.size());
+  EXPECT_EQ(MatchFloorsAgain(floors, gravity, context, registration, features), 1);
+  const PanoPair& found = registration.pairs[0];
+  EXPECT_EQ(found.verdict, PairVerdict::kAccepted);
+  ASSERT_GT(found.inliers.size(), 20U);
+  for (const FeatureMatch& spot : found.inliers) {
+    EXPECT_LT(
+        (OnFloor(panos[0], features[0], spot.a_idx) - OnFloor(panos[1], features[1], spot.b_idx))
+            .norm(),
+        0.01);
+  }
+  for (size_t k = 1; k < registration.pairs.size(); ++k) {
+    EXPECT_EQ(registration.pairs[k].verdict, PairVerdict::kFewMatches);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -20,7 +21,8 @@ namespace enfilade {
 /// Grey values of a floor, by its level x and y in camera heights.
 using FloorTexture = std::function<double(const Eigen::Vector2d& at)>;
 
-/// Patches of random brightness with soft borders, a tenth of a camera height wide.
+/// Patches of random brightness with soft borders, a tenth of a camera height wide, in rows that
+/// run otherwise for each seed.
 inline FloorTexture RandomFloor(uint32_t seed) {
   return [seed](const Eigen::Vector2d& at) {
     const auto corner = [seed](double x, double y) {
@@ -30,7 +32,8 @@ inline FloorTexture RandomFloor(uint32_t seed) {
       hash = (hash ^ (hash >> 13)) * 3266489917U;
       return static_cast<double>((hash ^ (hash >> 16)) % 1000) / 1000;
     };
-    const Eigen::Vector2d cell = 10 * at, low = cell.array().floor(), part = cell - low;
+    const Eigen::Vector2d cell = 10 * (Eigen::Rotation2Dd(0.7 * seed) * at),
+                          low = cell.array().floor(), part = cell - low;
     const double before =
         (1 - part.x()) * corner(low.x(), low.y()) + part.x() * corner(low.x() + 1, low.y());
     const double behind =
@@ -45,11 +48,12 @@ inline double TiledFloor(const Eigen::Vector2d& at) {
   return part.minCoeff() < 0.08 ? 60 : 170;
 }
 
-/// A panorama one camera height above a floor that goes on forever, under a grey sky, by a room's
-/// walls along x and y.
+/// A panorama above a floor that goes on forever, under a grey sky, by a room's walls along x and
+/// y.
 struct FloorPano {
   Eigen::Vector2d at{0, 0};
   double yaw_rad = 0;  ///< of its level frame in the world
+  double height = 1;
 
   [[nodiscard]] Gravity Standing() const {
     Gravity gravity;
@@ -65,7 +69,7 @@ struct FloorPano {
     for (int r = kRows / 2 + 1; r < kRows; ++r) {
       for (int c = 0; c < 2 * kRows; ++c) {
         const Eigen::Vector3d ray = world_from_cam * camera.RayFromPixel({c + 0.5, r + 0.5});
-        const Eigen::Vector2d on_floor = at - ray.head<2>() / ray.z();
+        const Eigen::Vector2d on_floor = at - height / ray.z() * ray.head<2>();
         picture(r, c) = static_cast<uint8_t>(std::lround(texture(on_floor)));
       }
     }
