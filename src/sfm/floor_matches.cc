@@ -31,27 +31,50 @@ constexpr double kMinSpotContrast = 0.2 * FloorPicture::kScale * FloorPicture::k
 // Of spots at a place that is known.
 constexpr double kMinHeight = 0.2;  // of a camera that stands on the floor
 constexpr double kMaxStep_px = 300, kAgreement_px = 1.5;
-// Of a dozen spots that look alike by chance half may agree.
-constexpr size_t kMinAgreeing = 8;
-constexpr double kAgreeingShare = 0.7;
+// Spots that have to agree, and their share of all that look alike: of a dozen that do so by chance
+// half may agree.
+struct Agreement {
+  double count = 0, share = 0;
+};
+constexpr Agreement kAtPlace{8, 0.7}, kAside{10, 0.8};
+// Rooms that few features tie may stand a quarter of a metre off.
+constexpr int kStepsAbout = 2;
+constexpr double kStepAbout_px = 6;
 
-// Squares of pixels of two pictures, cut out about spots.
-double Correlation(const FloorPicture& a, const Vector2i& at_a, const FloorPicture& b,
-                   const Vector2i& at_b, int turn) {
-  double ab = 0, aa = 0, bb = 0;
-  for (int r = -kSpotHalf_px; r <= kSpotHalf_px; ++r) {
-    for (int c = -kSpotHalf_px; c <= kSpotHalf_px; ++c) {
-      const Vector2i from = Unturned(Vector2i(at_b + Vector2i(c, r)), turn);
-      const double x = a.contrast(at_a.y() + r + kReach, at_a.x() + c + kReach);
-      const double y = b.contrast(from.y() + kReach, from.x() + kReach);
-      ab += x * y;
-      aa += x * x;
-      bb += y * y;
+constexpr int kSpotSide = 2 * kSpotHalf_px + 1, kPlaces = 2 * kSpotReach_px + 1;
+constexpr int kWindowHalf_px = kSpotHalf_px + kSpotReach_px, kWindowSide = 2 * kWindowHalf_px + 1;
+
+// A square of a turned floor about a pixel, row by row.
+template <int kHalf>
+std::array<float, (2 * kHalf + 1) * (2 * kHalf + 1)> CutOut(const FloorPicture& floor,
+                                                            const Vector2i& at, int turn) {
+  std::array<float, (2 * kHalf + 1) * (2 * kHalf + 1)> square{};
+  size_t k = 0;
+  for (int r = -kHalf; r <= kHalf; ++r) {
+    for (int c = -kHalf; c <= kHalf; ++c) {
+      const Vector2i from = Unturned(Vector2i(at + Vector2i(c, r)), turn);
+      square[k++] = floor.contrast(from.y() + kReach, from.x() + kReach);
     }
   }
-  constexpr double kNumPixels = (2 * kSpotHalf_px + 1) * (2 * kSpotHalf_px + 1);
-  if (std::min(aa, bb) < kMinSpotContrast * kNumPixels) return 0;
-  return ab / std::sqrt(aa * bb);
+  return square;
+}
+
+using Spot = std::array<float, kSpotSide * kSpotSide>;
+using Window = std::array<float, kWindowSide * kWindowSide>;
+
+// Of a spot and the part of a window whose corner lies so; 0 where that is plain.
+double Correlation(const Spot& spot, double spot_squares, const Window& window, int row, int col) {
+  float products = 0, squares = 0;
+  for (int r = 0; r < kSpotSide; ++r) {
+    const float* in_spot = spot.data() + r * kSpotSide;
+    const float* in_window = window.data() + (row + r) * kWindowSide + col;
+    for (int c = 0; c < kSpotSide; ++c) {
+      products += in_spot[c] * in_window[c];
+      squares += in_window[c] * in_window[c];
+    }
+  }
+  if (squares < kMinSpotContrast * kSpotSide * kSpotSide) return 0;
+  return products / std::sqrt(spot_squares * squares);
 }
 
 bool IsAllShown(const Vector2i& at, int margin_px) {
@@ -67,14 +90,17 @@ double Top(double before, double at, double after) {
 
 std::optional<FloorSpot> FindSpot(const FloorPicture& a, const Vector2i& at_a,
                                   const FloorPicture& b, const Vector2i& expected, int turn) {
-  constexpr int kSide = 2 * kSpotReach_px + 1;
-  std::array<std::array<double, kSide>, kSide> values{};
+  const Spot spot_pixels = CutOut<kSpotHalf_px>(a, at_a, 0);
+  double squares = 0;
+  for (const float value : spot_pixels) squares += value * value;
+  if (squares < kMinSpotContrast * kSpotSide * kSpotSide) return std::nullopt;
+  const Window window = CutOut<kWindowHalf_px>(b, expected, turn);
+  std::array<std::array<double, kPlaces>, kPlaces> values{};
   int best_row = 0, best_col = 0;
-  for (int r = 0; r < kSide; ++r) {
-    for (int c = 0; c < kSide; ++c) {
-      const Vector2i at_b = expected + Vector2i(c - kSpotReach_px, r - kSpotReach_px);
+  for (int r = 0; r < kPlaces; ++r) {
+    for (int c = 0; c < kPlaces; ++c) {
       double& value = values[static_cast<size_t>(r)][static_cast<size_t>(c)];
-      value = Correlation(a, at_a, b, at_b, turn);
+      value = Correlation(spot_pixels, squares, window, r, c);
       if (value > values[static_cast<size_t>(best_row)][static_cast<size_t>(best_col)]) {
         best_row = r;
         best_col = c;
@@ -82,8 +108,8 @@ std::optional<FloorSpot> FindSpot(const FloorPicture& a, const Vector2i& at_a,
     }
   }
   const size_t r = static_cast<size_t>(best_row), c = static_cast<size_t>(best_col);
-  const bool is_inside = std::clamp(best_row, 1, kSide - 2) == best_row &&
-                         std::clamp(best_col, 1, kSide - 2) == best_col;
+  const bool is_inside = std::clamp(best_row, 1, kPlaces - 2) == best_row &&
+                         std::clamp(best_col, 1, kPlaces - 2) == best_col;
   if (!is_inside || values[r][c] < kMinSpotCorrelation) return std::nullopt;
   const double row = expected.y() + best_row - kSpotReach_px +
                      Top(values[r - 1][c], values[r][c], values[r + 1][c]);
@@ -124,9 +150,9 @@ FloorPlace PlaceByPoses(const Rigid3& pose_a, const Rigid3& pose_b, const Gravit
           FloorPicture::kPixelsPerHeight / height_a * in_picture.head<2>(), height_a / height_b, 0};
 }
 
-// Spots of two floors whose places are known to a few pixels: those that miss it alike. Empty where
-// they are few.
-std::vector<FloorSpot> SpotsThatAgree(std::vector<FloorSpot> spots, const FloorPlace& place) {
+// Those of the spots that miss a place alike; empty where they are few.
+std::vector<FloorSpot> SpotsThatAgree(std::vector<FloorSpot> spots, const FloorPlace& place,
+                                      const Agreement& least) {
   if (spots.empty()) return {};
   const double num_alike = static_cast<double>(spots.size());
   const auto miss = [&](const FloorSpot& spot) -> Vector2d {
@@ -140,10 +166,37 @@ std::vector<FloorSpot> SpotsThatAgree(std::vector<FloorSpot> spots, const FloorP
   const Vector2d middle(UpperMedian(x), UpperMedian(y));
   std::erase_if(
       spots, [&](const FloorSpot& spot) { return (miss(spot) - middle).norm() > kAgreement_px; });
-  const bool is_few =
-      spots.size() < kMinAgreeing || static_cast<double>(spots.size()) < kAgreeingShare * num_alike;
+  const double num_agreeing = static_cast<double>(spots.size());
+  const bool is_few = num_agreeing < least.count || num_agreeing < least.share * num_alike;
   if (is_few) spots.clear();
   return spots;
+}
+
+// Steps to look at about one that poses tell, the nearest first.
+std::vector<Vector2d> StepsAbout() {
+  std::vector<Vector2d> steps;
+  for (int y = -kStepsAbout; y <= kStepsAbout; ++y) {
+    for (int x = -kStepsAbout; x <= kStepsAbout; ++x) {
+      steps.emplace_back(kStepAbout_px * x, kStepAbout_px * y);
+    }
+  }
+  std::stable_sort(steps.begin(), steps.end(), [](const Vector2d& p, const Vector2d& q) {
+    return p.squaredNorm() < q.squaredNorm();
+  });
+  return steps;
+}
+
+// Spots of two floors whose place is about known: of what repeats the nearest place counts.
+std::vector<FloorSpot> SpotsAbout(const FloorPicture& a, const FloorPicture& b,
+                                  const FloorPlace& place) {
+  for (const Vector2d& step : StepsAbout()) {
+    FloorPlace tried = place;
+    tried.step_px += step;
+    std::vector<FloorSpot> spots =
+        SpotsThatAgree(FindFloorSpots(a, b, tried), tried, step.isZero() ? kAtPlace : kAside);
+    if (!spots.empty()) return spots;
+  }
+  return {};
 }
 
 FloorMatch MakeMatch(const ViewPair& pair, const FloorPlace& place, const Gravity& gravity_a,
@@ -199,10 +252,8 @@ int MatchFloorsAgain(std::span<const FloorPicture> floors, std::span<const Gravi
   ParallelFor(context, "match floors again", static_cast<int64_t>(pairs.size()), [&](int64_t k) {
     const PanoPair& pair = *pairs[static_cast<size_t>(k)];
     const FloorPlace& place = places[static_cast<size_t>(k)];
-    spots[static_cast<size_t>(k)] =
-        SpotsThatAgree(FindFloorSpots(floors[static_cast<size_t>(pair.a_idx)],
-                                      floors[static_cast<size_t>(pair.b_idx)], place),
-                       place);
+    spots[static_cast<size_t>(k)] = SpotsAbout(floors[static_cast<size_t>(pair.a_idx)],
+                                               floors[static_cast<size_t>(pair.b_idx)], place);
   });
   int num_pairs = 0;
   for (size_t k = 0; k < pairs.size(); ++k) {

@@ -35,8 +35,8 @@ struct FloorSpot {
 
 /// The same for all pairs of panoramas in one component, at the places that their poses tell: spots
 /// that agree with each other, if they are several, replace those that a pair had, and a pair that
-/// was refused counts again. Other features without descriptors are not expected. Returns the number
-/// of pairs with spots. Runs in parallel.
+/// was refused counts again. Other features without descriptors are not expected. Returns the
+/// number of pairs with spots. Runs in parallel.
 int MatchFloorsAgain(std::span<const FloorPicture> floors, std::span<const Gravity> gravity,
                      RunContext& context, Registration& registration,
                      std::vector<PanoFeatures>& features);
