@@ -154,7 +154,7 @@ GivenPoseReport FindPointsOfPoses(const PlaceOptions& options,
                                   const std::filesystem::path& work_folder,
                                   const std::string& program, RunContext& context, Scene& scene) {
   std::vector<Rigid3> poses = PosesOf(scene);
-  const SeenPictures seen =
+  SeenPictures seen =
       LookAtPictures(scene, {}, options.features, options.stand, work_folder, program, context);
   std::vector<Gravity> gravity = GravityOf(poses);
   for (size_t i = 0; i < gravity.size(); ++i) gravity[i].heading_rad = seen.gravity[i].heading_rad;
@@ -163,6 +163,7 @@ GivenPoseReport FindPointsOfPoses(const PlaceOptions& options,
   report.pairs = MatchPairs(ListNearPairs(scene, gravity, options.given.max_distance_m),
                             seen.features, gravity, TurnLevel(seen.features, gravity),
                             options.registration.match, options.registration.two_view, context);
+  FindMissingColours(scene, context, seen);
   report.warnings = JudgeByPoses(poses, gravity, report.pairs);
   std::vector<Track> tracks = BuildTracks(report.pairs, seen.features);
   if (options.given.refine) {

@@ -174,14 +174,17 @@ std::vector<FloorMatch> MatchSeenFloors(const RegisterOptions& options, RunConte
   return MatchFloors(seen.floors, pairs, seen.gravity, context, seen.features);
 }
 
-// Refines poses with what floors show where panoramas are known to stand.
-void RefineOnFloors(RegisterOptions options, RunContext& context, SeenPictures& seen,
+// Refines poses with what floors show where panoramas are known to stand; a film's tracks do
+// without.
+void RefineOnFloors(const PlaceOptions& options, RunContext& context, SeenPictures& seen,
                     Registration& registration) {
+  if (options.is_ordered) return;
   if (MatchFloorsAgain(seen.floors, seen.gravity, context, registration, seen.features) == 0) {
     return;
   }
-  options.use_guided = false;
-  RefineRegistration(seen.features, seen.gravity, options, context, registration);
+  RegisterOptions refinement = options.registration;
+  refinement.use_guided = false;
+  RefineRegistration(seen.features, seen.gravity, refinement, context, registration);
 }
 
 // Registers the panoramas, those that stand upside down beside the others turned over.
@@ -210,7 +213,7 @@ Registration Register(const Scene& scene, const PlaceOptions& options, RunContex
     registration = RegisterFeatures(seen.features, seen.gravity, options.registration, context,
                                     followed, floors);
   }
-  if (!options.is_ordered) RefineOnFloors(options.registration, context, seen, registration);
+  RefineOnFloors(options, context, seen, registration);
   WarnOfUpsideDown(scene.views, upside_down, warnings);
   WarnOfMirrored(scene.views,
                  FindMirrored(seen.features, seen.gravity, registration.component_idx,
@@ -286,7 +289,7 @@ PlaceReport PlacePanoramas(const PlaceOptions& options, const PlaceSurroundings&
       ApplyJoins(report.joins, world_from_component, report.scale.camera_height_m, seen.gravity,
                  registration);
       RefineRegistration(seen.features, seen.gravity, options.registration, context, registration);
-      RefineOnFloors(options.registration, context, seen, registration);
+      RefineOnFloors(options, context, seen, registration);
     }
   }
   place(known);
