@@ -187,7 +187,8 @@ std::vector<FloorPlace> PlaceFloors(std::span<const FloorPicture> floors,
     blocks[{a / kBlock, b / kBlock}].push_back(k);
   }
   std::vector<FloorPlace> places(pairs.size());
-  for (const auto& [block, members] : blocks) {
+  for (const auto& block : blocks) {
+    const std::vector<size_t>& members = block.second;
     std::map<int, FloorToPlace> prepared;
     for (const size_t k : members) {
       prepared[pairs[k].a_idx];
