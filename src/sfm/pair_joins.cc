@@ -30,6 +30,7 @@ constexpr double kBefore_m = 0.1, kBeforeShare = 0.03;  // and more, of the dist
 struct Told {
   const PanoPair* pair;
   Rigid3 a_from_b;  // components, metres
+  double overlap;   // ComponentFloor::OverlapShare there
 };
 
 // Whether a pair's first view is in the component of the higher number.
@@ -105,10 +106,11 @@ std::vector<ComponentJoin> JoinsOfPairs(const UnjoinedComponents& components,
     const bool is_placed = pair.length > 0 && pair.log10_chance <= -kLeastDigits;
     if (x == y || pair.verdict != PairVerdict::kChance || !is_placed) continue;
     const auto [a, b] = std::minmax(x, y);
-    const Told told{&pair, TellPlace(components, pair)};
-    const double overlap =
-        floors[static_cast<size_t>(a)].OverlapShare(floors[static_cast<size_t>(b)], told.a_from_b);
-    if (overlap > kMostOverlap && !MayBeOneRoom(components, told)) continue;
+    const Rigid3 place = TellPlace(components, pair);
+    const Told told{
+        &pair, place,
+        floors[static_cast<size_t>(a)].OverlapShare(floors[static_cast<size_t>(b)], place)};
+    if (told.overlap > kMostOverlap && !MayBeOneRoom(components, told)) continue;
     told_between[{a, b}].push_back(told);
   }
   std::vector<ComponentJoin> joins;
@@ -116,7 +118,7 @@ std::vector<ComponentJoin> JoinsOfPairs(const UnjoinedComponents& components,
     double sum = 0;
     for (const Told& told : all) sum -= told.pair->log10_chance;
     ComponentJoin best;
-    double most = 0;
+    double most = 0, overlap = 0;
     for (const Told& told : all) {
       double digits = 0;
       std::vector<DoorPair> pairs;
@@ -127,11 +129,10 @@ std::vector<ComponentJoin> JoinsOfPairs(const UnjoinedComponents& components,
       }
       if (digits <= most) continue;
       most = digits;
+      overlap = told.overlap;
       best = {between.first, between.second, told.a_from_b, digits * std::log(10.0),
               std::move(pairs)};
     }
-    const double overlap = floors[static_cast<size_t>(best.a)].OverlapShare(
-        floors[static_cast<size_t>(best.b)], best.a_from_b);
     const double needed = overlap > kMaxOverlap ? options.min_log_odds_overlapping : kLogOddsBeside;
     if (sum - most <= kRivalShare * most && best.log_odds >= needed) {
       joins.push_back(std::move(best));

@@ -34,6 +34,12 @@ Gravity GravityAndHeading(std::span<const LineSegment> segments, const View& vie
   return gravity;
 }
 
+FloorPicture FloorOf(const ImageU8& picture, const ImageU8& trusted, const View& view,
+                     const Gravity& gravity) {
+  if (!gravity.heading_rad) return {};
+  return LookAtFloor(picture, trusted, view.camera, CamFromWalls(gravity));
+}
+
 // What OpenCV sees of a panorama, from the file that a stopped run left where there is one.
 SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOptions& options,
                           const std::filesystem::path& folder, const std::string& program) {
@@ -47,9 +53,7 @@ SeenPicture LookAtPicture(const View& view, const Stand& stand, const FeatureOpt
   const Gravity gravity = GravityAndHeading(seen.segments, view);
   seen.features = ExtractFeatures(picture, trusted, view.camera, CamFromWalls(gravity), options);
   seen.colours = ColoursOf(seen.features.rays, picture, view.camera);
-  if (gravity.heading_rad) {
-    seen.floor = LookAtFloor(picture, trusted, view.camera, CamFromWalls(gravity));
-  }
+  seen.floor = FloorOf(picture, trusted, view, gravity);
   SaveSeenPicture(file, key, seen);
   return seen;
 }
@@ -60,9 +64,7 @@ SeenPicture LookAtLines(const View& view, const Stand& stand) {
   SeenPicture seen;
   seen.segments = FindLineSegments(picture, trusted, view.camera);
   const Gravity gravity = GravityAndHeading(seen.segments, view);
-  if (gravity.heading_rad) {
-    seen.floor = LookAtFloor(picture, trusted, view.camera, CamFromWalls(gravity));
-  }
+  seen.floor = FloorOf(picture, trusted, view, gravity);
   return seen;
 }
 

@@ -207,6 +207,14 @@ double Log10Chance(double k, double n, double p, double log10_hypotheses) {
   return log10_hypotheses - n * divergence / std::log(10.0);
 }
 
+// Log10Chance of matches that agree with a geometry by so much.
+double ChanceOfScore(const TwoViewGeometry& geometry, double score,
+                     std::span<const RayPair> matches, double bound_rad, double log10_hypotheses) {
+  double num_spots = 0;
+  for (const RayPair& rays : matches) num_spots += rays.weight;
+  return Log10Chance(score, num_spots, ChanceOfOne(geometry, matches, bound_rad), log10_hypotheses);
+}
+
 bool IsTurned(const Matrix3d& rotation, const RayPair& rays) {
   return (rays.first - rotation * rays.second).norm() < kSamePlace_rad;
 }
@@ -353,13 +361,10 @@ PanoPair EstimatePair(std::span<const Vector3d> level_rays_a,
   for (const size_t i : near_idx) near.push_back(rays[i]);
   const double bound_rad = DegToRad(options.inlier_deg);
   const Judged best = BestUpright(near, options, hints);
-  double num_spots = 0;
-  for (const RayPair& pair_of_rays : near) num_spots += pair_of_rays.weight;
-  const double chance = ChanceOfOne(best.geometry, near, bound_rad);
   pair.a_from_b = best.geometry.a_from_b;
   pair.direction = best.geometry.direction;
-  pair.log10_chance =
-      Log10Chance(best.score, num_spots, chance, hints.yaw_rad ? kLog10FourYaws : kLog10AnyYaw);
+  pair.log10_chance = ChanceOfScore(best.geometry, best.score, near, bound_rad,
+                                    hints.yaw_rad ? kLog10FourYaws : kLog10AnyYaw);
   std::vector<FeatureMatch> near_matches;
   for (const size_t i : near_idx) near_matches.push_back(matches[i]);
   SetInliers(best.geometry, near, near_matches, bound_rad, pair);
@@ -409,10 +414,8 @@ PanoPair JudgePlace(std::span<const Vector3d> level_rays_a, std::span<const Vect
   SetInliers(refined, all, all_matches, bound_rad, pair);
   pair.log10_chance = -digits;
   if (!near.empty()) {
-    double num_spots = 0;
-    for (const RayPair& pair_of_rays : near) num_spots += pair_of_rays.weight;
-    pair.log10_chance += Log10Chance(Score(refined, near, bound_rad), num_spots,
-                                     ChanceOfOne(refined, near, bound_rad), 0);
+    pair.log10_chance +=
+        ChanceOfScore(refined, Score(refined, near, bound_rad), near, bound_rad, 0);
   }
   if (static_cast<double>(pair.inliers.size()) >= options.min_inliers) {
     pair.verdict = pair.log10_chance <= options.max_log10_chance ? PairVerdict::kAccepted
